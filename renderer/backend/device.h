@@ -1,0 +1,91 @@
+#pragma once
+// What the passes and the frame builder ask of a GPU. backend/gl implements it on OpenGL 4.5, backend/null accepts
+// everything and counts. One thread at a time; for GL, the thread on which the context is current.
+
+#include "engine/core/result.h"
+#include "renderer/commands/command_buffer.h"
+#include "renderer/commands/resources.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rushlight {
+
+/// What one pass cost. Times are milliseconds.
+struct PassExecution {
+    uint32_t draws = 0;      ///< draws as the GPU sees them: each entry of a multi-draw counts
+    uint64_t triangles = 0;
+    double cpuMs = 0;  ///< of submitting it
+    double gpuMs = 0;  ///< from timer queries of the latest frame that is finished; 0 with no GPU
+    std::vector<uint64_t> attachmentHashes;  ///< when ExecuteOptions::hashAttachments: colours in order, then depth
+};
+
+struct ExecutionReport {
+    std::vector<PassExecution> passes;  ///< by BeginPass::passIndex
+    uint32_t glCalls = 0;        ///< every call into the API, uploads of the data block included
+    uint32_t stateChanges = 0;   ///< calls that bind or set state, after redundant ones are dropped
+    uint64_t uploadedBytes = 0;
+    uint32_t waits = 0;          ///< times the CPU waited for the GPU to be done with a frame's memory
+    double cpuMs = 0;
+};
+
+struct ExecuteOptions {
+    FrameTarget target;
+    bool hashAttachments = false;  ///< slow: reads every pass's attachments back
+    bool timers = true;
+    bool debugGroups = true;
+};
+
+/// A texture's texels, rows from v = 0, tightly packed in `format`.
+struct ReadbackImage {
+    Format format = Format::none;
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<std::byte> bytes;
+};
+
+class Device {
+public:
+    virtual ~Device() = default;
+
+    virtual std::string_view name() const = 0;     ///< e.g. GL_RENDERER
+    virtual std::string_view version() const = 0;  ///< e.g. GL_VERSION
+
+    // Creating. A size of zero or over the driver's limit is an Error that names the label.
+    virtual Result<BufferHandle> createBuffer(const BufferDesc&) = 0;
+    virtual Result<TextureHandle> createTexture(const TextureDesc&) = 0;
+    virtual SamplerHandle createSampler(const SamplerDesc&) = 0;  ///< equal descriptions give equal handles
+    /// Compiles and links at once; the Error holds the driver's log with file names and lines.
+    virtual Result<PipelineHandle> createPipeline(const PipelineDesc&) = 0;
+
+    virtual void destroy(BufferHandle) = 0;  ///< waits until no frame in flight uses it
+    virtual void destroy(TextureHandle) = 0;
+
+    // Filling, outside of frames.
+    virtual void write(BufferHandle, uint64_t offset, std::span<const std::byte> data) = 0;
+    virtual void write(TextureHandle, const TextureRegion&, std::span<const std::byte> data) = 0;
+    /// Copies `size` bytes between buffers; used to grow shared ones.
+    virtual void copy(BufferHandle from, BufferHandle to, uint64_t size) = 0;
+
+    /// Runs a frame: copies its data block into this frame's slot of a persistently mapped ring (waiting, and counting
+    /// the wait, if the GPU still uses it), then its commands. `report` keeps its memory from frame to frame.
+    virtual void execute(const CommandBuffer&, const ExecuteOptions&, ExecutionReport& report) = 0;
+
+    /// The image of a Readback command with this ticket; false while the GPU is not done, unless `wait`.
+    virtual bool takeReadback(uint32_t ticket, bool wait, ReadbackImage& image) = 0;
+
+    /// Compiles pipelines again whose shader sources changed. On an error the last good program stays in use and
+    /// the error is returned. Returns the number of programs replaced.
+    virtual Result<uint32_t> reloadShaders() = 0;
+
+    /// Blocks until the GPU has done everything.
+    virtual void finish() = 0;
+
+    /// GL debug messages of severity medium and up since the last call; tests expect none.
+    virtual std::vector<std::string> takeDebugMessages() = 0;
+};
+
+}  // namespace rushlight

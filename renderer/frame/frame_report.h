@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rushlight {
+
+/// What one pass did. `reads` and `writes` name images of the frame plan. Times in milliseconds.
+struct PassReport {
+    const char* name = "";
+    uint32_t draws = 0;
+    uint64_t triangles = 0;
+    double cpuMs = 0;
+    double gpuMs = 0;
+    std::vector<const char*> reads;
+    std::vector<const char*> writes;
+    uint32_t bytesPerPixel = 0;  ///< of everything it writes
+    std::vector<uint64_t> hashes;  ///< as `writes`, when asked for
+};
+
+/// The numbers behind `--stats`; the schema is in the README.
+struct FrameReport {
+    uint64_t frameNumber = 0;
+    double cpuBuildMs = 0;
+    double cpuExecuteMs = 0;
+    double gpuMs = 0;
+    uint32_t instances = 0;
+    uint32_t visible = 0;  ///< from the camera
+    uint32_t culledFrustum = 0;
+    uint32_t culledOcclusion = 0;
+    uint32_t rejected = 0;  ///< instances with a stale handle or a transform that is not finite
+    uint32_t draws = 0;
+    uint64_t triangles = 0;
+    uint32_t glCalls = 0;
+    uint32_t stateChanges = 0;
+    uint64_t uploadedBytes = 0;
+    uint32_t lights = 0;
+    uint32_t lightsVisible = 0;
+    uint32_t shadowViewsDrawn = 0;
+    uint32_t shadowViewsCached = 0;
+    uint32_t waits = 0;
+    std::vector<PassReport> passes;
+};
+
+}  // namespace rushlight
