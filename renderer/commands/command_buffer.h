@@ -84,7 +84,7 @@ void visitCommands(const CommandBuffer& buffer, Visitor&& visit) {
             case CommandType::setVertexStream: call((const SetVertexStream*)nullptr); break;
             case CommandType::setIndexStream: call((const SetIndexStream*)nullptr); break;
             case CommandType::bindUniforms: call((const BindUniforms*)nullptr); break;
-            case CommandType::bindStorage: call((const BindStorage*)nullptr); break;
+            case CommandType::bindTexelBuffer: call((const BindTexelBuffer*)nullptr); break;
             case CommandType::bindTexture: call((const BindTexture*)nullptr); break;
             case CommandType::draw: call((const Draw*)nullptr); break;
             case CommandType::drawIndexed: call((const DrawIndexed*)nullptr); break;

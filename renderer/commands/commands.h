@@ -46,7 +46,7 @@ enum class CommandType : uint16_t {
     setVertexStream,
     setIndexStream,
     bindUniforms,
-    bindStorage,
+    bindTexelBuffer,
     bindTexture,
     draw,
     drawIndexed,
@@ -101,10 +101,12 @@ struct BindUniforms {
     uint32_t reserved = 0;
     BufferRange range;
 };
-struct BindStorage {
-    static constexpr CommandType kType = CommandType::bindStorage;
+/// Makes a range readable as a samplerBuffer / usamplerBuffer of `format`, at a texture unit.
+struct BindTexelBuffer {
+    static constexpr CommandType kType = CommandType::bindTexelBuffer;
     uint32_t slot = 0;
-    uint32_t reserved = 0;
+    Format format = Format::rgba32f;
+    uint8_t reserved[3] = {};
     BufferRange range;
 };
 struct BindTexture {

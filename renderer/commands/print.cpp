@@ -15,7 +15,7 @@ const char* toText(CommandType type) {
         case CommandType::setVertexStream: return "SetVertexStream";
         case CommandType::setIndexStream: return "SetIndexStream";
         case CommandType::bindUniforms: return "BindUniforms";
-        case CommandType::bindStorage: return "BindStorage";
+        case CommandType::bindTexelBuffer: return "BindTexelBuffer";
         case CommandType::bindTexture: return "BindTexture";
         case CommandType::draw: return "Draw";
         case CommandType::drawIndexed: return "DrawIndexed";
@@ -59,8 +59,8 @@ public:
     void operator()(const BindUniforms& c) {
         line("  BindUniforms %u %s", c.slot, rangeText(c.range).c_str());
     }
-    void operator()(const BindStorage& c) {
-        line("  BindStorage %u %s", c.slot, rangeText(c.range).c_str());
+    void operator()(const BindTexelBuffer& c) {
+        line("  BindTexelBuffer %u %s %s", c.slot, toText(c.format), rangeText(c.range).c_str());
     }
     void operator()(const BindTexture& c) {
         line("  BindTexture %u texture=%08x sampler=%08x", c.slot, c.texture.value,

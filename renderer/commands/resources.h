@@ -45,11 +45,6 @@ bool isDepth(Format format);
 
 enum class TextureKind : uint8_t { texture2d, texture2dArray, cube };
 
-enum class TextureUsage : uint8_t {
-    sampled = 1,     ///< filled by uploads, read by shaders
-    attachment = 2,  ///< drawn to, and read by shaders
-};
-
 struct TextureDesc {
     std::string_view label;  ///< shown in debuggers and messages; copied
     TextureKind kind = TextureKind::texture2d;
@@ -69,7 +64,7 @@ struct TextureRegion {
     uint32_t height = 0;
 };
 
-enum class BufferUsage : uint8_t { vertex, index, storage, uniform, indirect };
+enum class BufferUsage : uint8_t { vertex, index, texel };
 
 struct BufferDesc {
     std::string_view label;

@@ -26,13 +26,6 @@
 #define RL_UNIFORMS_VIEW 0
 #define RL_UNIFORMS_LIGHTING 1
 #define RL_UNIFORMS_PASS 2
-#define RL_UNIFORMS_LIGHTS 3
-
-// Storage blocks
-#define RL_STORAGE_MATERIALS 0
-#define RL_STORAGE_LIGHTS 1
-#define RL_STORAGE_CLUSTERS 2
-#define RL_STORAGE_LIGHT_INDICES 3
 
 // Texture units
 #define RL_TEXTURE_BASE_COLOR 0
@@ -51,5 +44,10 @@
 #define RL_TEXTURE_SOURCE1 13
 #define RL_TEXTURE_SOURCE2 14
 #define RL_TEXTURE_SKY 15
+// Texel buffers: on llvmpipe they are read twice as fast as storage blocks
+#define RL_TEXTURE_MATERIALS 16
+#define RL_TEXTURE_LIGHTS 17
+#define RL_TEXTURE_CLUSTERS 18
+#define RL_TEXTURE_LIGHT_INDICES 19
 
 #endif
