@@ -58,6 +58,8 @@ Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& o
     if (auto ok = planPasses(input, output, *camera); !ok) return ok;
     if (auto ok = plan_.compile(); !ok) return ok;
     plan_.record(jobs_, commands_);
+    if (output.offscreen)
+        commands_.push(Readback{plan_.texture(capturedImage_), 0, 0, output.ticket});
     report_.cpuBuildMs = millisecondsSince(start);
 
     ExecuteOptions execute;
@@ -233,7 +235,8 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
     auto forward = forwardPass_.add(plan_, forwardInputs);
     if (!forward) return tl::unexpected(forward.error());
 
-    plan_.requestImage(forward->radiance);
+    capturedImage_ = forward->radiance;
+    plan_.requestImage(capturedImage_);
     return {};
 }
 

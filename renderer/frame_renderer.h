@@ -77,6 +77,7 @@ private:
     int sun_ = -1;
     bool warnedRejected_ = false;
     ShadowPass::Outputs shadows_;
+    ImageId capturedImage_;
     uint64_t frameNumber_ = 0;
 };
 
