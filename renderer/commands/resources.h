@@ -102,7 +102,6 @@ enum class VertexLayout : uint8_t {
     standard,  ///< VertexPosition + VertexSurface, instances
     extended,  ///< VertexPosition + VertexSurface + VertexExtra, instances
     overlay,   ///< OverlayVertex
-    positionUv,  ///< VertexPosition + VertexSurface, of which the uv alone is read: alpha-masked depth
 };
 
 /// A program with its fixed-function state. Shader paths are names in the shader library ("passes/gbuffer.vert").
