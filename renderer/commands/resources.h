@@ -186,7 +186,6 @@ struct FrameTarget {
     uint32_t framebuffer = 0;  ///< a GL framebuffer name; 0 is the window
     uint32_t width = 0;
     uint32_t height = 0;
-    bool flipY = true;  ///< GL framebuffers have y up; false when the host reads rows from the top
 };
 
 }  // namespace rushlight

@@ -70,6 +70,19 @@ uint32_t shadowFlags(const ResolvedInstance& resolved) {
     return flags & kMirrored;
 }
 
+bool belongs(DrawListKind kind, uint32_t instanceFlags, uint32_t surfaceFlags) {
+    constexpr uint32_t kMovingEmission = kMoving | kEmissive;
+    switch (kind) {
+        case DrawListKind::opaque: return !(surfaceFlags & kBlend);
+        case DrawListKind::blend: return surfaceFlags & kBlend;
+        case DrawListKind::shadow:
+            return !(surfaceFlags & kBlend) && (instanceFlags & kInstanceCastsShadow);
+        case DrawListKind::movingEmission:
+            return !(surfaceFlags & kBlend) && (surfaceFlags & kMovingEmission) == kMovingEmission;
+    }
+    return false;
+}
+
 void writeRows(const mat4x3& m, vec4& row0, vec4& row1, vec4& row2) {
     row0 = {m[0].x, m[1].x, m[2].x, m[3].x};
     row1 = {m[0].y, m[1].y, m[2].y, m[3].y};
@@ -98,18 +111,14 @@ void DrawList::gather(DrawListKind kind, std::span<const Instance> instances,
     for (uint32_t i = 0; i < resolved.size(); ++i) {
         const ResolvedInstance& r = resolved[i];
         if (!r.mesh) continue;
-        const bool blended = r.surfaceFlags & kBlend;
-        if (kind == DrawListKind::shadow) {
-            if (blended || !(instances[i].flags & kInstanceCastsShadow)) continue;
-        } else if (blended != (kind == DrawListKind::blend)) {
-            continue;
-        }
+        if (!belongs(kind, instances[i].flags, r.surfaceFlags)) continue;
         if (cull && !intersects(frustum, r.center, r.halfExtent)) continue;
         const float depth = glm::dot(r.center - eye, forward);
         const uint32_t mesh = instances[i].mesh.index();
         Item item{0, i, r.surfaceFlags};
         switch (kind) {
             case DrawListKind::opaque:
+            case DrawListKind::movingEmission:
                 item.key = opaqueKey(r.surfaceFlags, r.textureSet, mesh, depth);
                 break;
             case DrawListKind::blend: item.key = blendKey(depth); break;

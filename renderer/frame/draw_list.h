@@ -42,6 +42,7 @@ enum class DrawListKind : uint8_t {
     opaque,  ///< sorted by state, then front to back
     blend,   ///< back to front
     shadow,  ///< casters, materials ignored unless alpha-masked
+    movingEmission,  ///< opaque surfaces that move and give off light
 };
 
 /// What one view draws. Memory is kept from frame to frame.

@@ -85,17 +85,17 @@ public:
     /// An image that outlives the frame; writing it is needed by definition.
     ImageId importImage(const PlanImage&, TextureHandle);
 
-    /// `record(payload, context)` is called once, perhaps on another thread, after compile(). The payload is copied.
+    /// `function(payload, context)` is called once, perhaps on another thread, after compile(). The payload is copied.
     template <class Payload>
     void addPass(const char* name, const PassTargets& targets, const Payload& payload,
-                 void (*record)(const Payload&, PassContext&)) {
+                 void (*function)(const Payload&, PassContext&)) {
         static_assert(std::is_trivially_copyable_v<Payload>);
         addPass(name, targets, &payload, sizeof payload,
-                reinterpret_cast<void (*)()>(record),
-                [](void (*function)(), const void* data, PassContext& context) {
+                reinterpret_cast<void (*)()>(function),
+                [](void (*erased)(), const void* data, PassContext& context) {
                     Payload copy;
                     std::memcpy(static_cast<void*>(&copy), data, sizeof copy);
-                    reinterpret_cast<void (*)(const Payload&, PassContext&)>(function)(copy,
+                    reinterpret_cast<void (*)(const Payload&, PassContext&)>(erased)(copy,
                                                                                       context);
                 });
     }
