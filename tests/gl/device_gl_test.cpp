@@ -262,7 +262,6 @@ TEST_F(DeviceGlTest, StateIsDefaultAtExitWhateverItWasAtEntry) {
     gl.DepthMask(GL_FALSE);
     PipelineDesc desc;
     desc.blend = BlendMode::additive;
-    desc.cull = CullMode::front;
     desc.depthBias = 2;
     desc.depthClamp = true;
     desc.cull = CullMode::back;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace rushlight {
 namespace {
@@ -46,7 +47,8 @@ TEST(CommandBuffer, CommandsComeBackInOrderAcrossAppends) {
 
 TEST(NullDevice, CountsDrawsTrianglesAndUploads) {
     const auto device = createNullDevice();
-    const PipelineHandle pipeline = device->createPipeline({.vertexShader = "a.vert", .fragmentShader = "a.frag"}).value();
+    const PipelineHandle pipeline =
+        device->createPipeline({.vertexShader = "a.vert", .fragmentShader = "a.frag"}).value();
     const TextureHandle target = device->createTexture(targetDesc()).value();
     CommandBuffer commands;
     const BufferRange indirect = commands.allocate(3 * sizeof(DrawIndexedCommand));

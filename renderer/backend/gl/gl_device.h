@@ -7,9 +7,9 @@ namespace rushlight {
 
 struct GlDeviceDesc {
     void* (*load)(const char* name) = nullptr;  ///< address of a GL function of the current context
-    LogSink log;
-    std::string cacheDirectory;   ///< program binaries; empty: none are kept
-    std::string shaderDirectory;  ///< empty: the shaders compiled in
+    LogSink log = {};
+    std::string cacheDirectory = {};   ///< program binaries; empty: none are kept
+    std::string shaderDirectory = {};  ///< empty: the shaders compiled in
     uint32_t framesInFlight = 2;  ///< 1 to 3
     bool debugOutput = false;     ///< collect GL debug messages
 };
