@@ -11,7 +11,7 @@ layout(std140, binding = RL_UNIFORMS_PASS) uniform PassBlock { PassUniforms pass
 
 void main() {
     vec2 corner = vec2(float(gl_VertexID & 1) * 2.0, float(gl_VertexID >> 1) * 2.0);
-    uv = corner;
+    uv = pass.counts.w > 0.5 ? vec2(corner.x, 1.0 - corner.y) : corner;
     flatSourceTexel = pass.sourceTexel;
     flatSettings = pass.settings;
     flatCounts = pass.counts;

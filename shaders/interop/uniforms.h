@@ -21,9 +21,11 @@ RL_INTEROP_BEGIN
 ///     tonemap      -                         x: bloom's share, y: exposure factor     -
 ///     fxaa         xy: 1 / source size       -                                        -
 ///     overlay      xy: 2 / target size       x: 1: rows from the top, y: array layer  -
-///     debug view   zw: depth decode, as      depth: x: nearest, y: farthest shown     clusters: clusterCounts;
-///                  LightingUniforms          clusters: clusterMapping;                shadow: x: cascades
-///                                            shadow: x: a cell's width over height
+///     debug view   xy: 1 / target size       depth: x: nearest, y: farthest shown     clusters: clusterCounts
+///                  zw: depthDecode           clusters: clusterMapping                 shadow: x: cascades
+///                  (of LightingUniforms)     shadow: x: a cell's width over height
+///
+/// counts.w of every full-screen pass: 1 turns the picture upside down, for hosts that read rows from the top.
 struct PassUniforms {
     vec4 sourceTexel;
     vec4 settings;

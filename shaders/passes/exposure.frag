@@ -8,7 +8,7 @@ layout(binding = RL_TEXTURE_SOURCE1) uniform sampler2D previousExposure;
 layout(location = 0) out float exposure;
 
 void main() {
-    // Sixteen places of the last level, whatever its size
+    // The image of means is 4 x 4.
     float sum = 0.0;
     for (int i = 0; i < 16; ++i)
         sum += textureLod(meanLogLuminance, (vec2(float(i & 3), float(i >> 2)) + 0.5) * 0.25, 0.0).x;
