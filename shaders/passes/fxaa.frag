@@ -2,7 +2,7 @@
 // quality preset 12. LUMA_IN_ALPHA: the tone map left the sRGB luma in alpha and the result is opaque; else green stands
 // for luma and alpha is filtered like the colours.
 //
-// No branch skips work on llvmpipe, but a loop that no pixel of a group enters does: the search is one.
+// No branch skips work on llvmpipe, but a loop ends when no pixel of a group goes on: the search is one.
 #include "common/fullscreen.glsl"
 
 layout(binding = RL_TEXTURE_SOURCE0) uniform sampler2D source;
@@ -28,8 +28,9 @@ void main() {
     vec4 high = textureGather(source, uv + 0.5 * texel, LUMA_CHANNEL);
     float west = low.x, middle = low.y, south = low.z, southWest = low.w;
     float north = high.x, northEast = high.y, east = high.z;
-    float northWest = lumaAt(uv + vec2(-texel.x, texel.y));
-    float southEast = lumaAt(uv + vec2(texel.x, -texel.y));
+    // A gather of which one value is used still costs less than a bilinear sample.
+    float northWest = textureGather(source, uv + vec2(-0.5, 0.5) * texel, LUMA_CHANNEL).x;
+    float southEast = textureGather(source, uv + vec2(0.5, -0.5) * texel, LUMA_CHANNEL).z;
 
     float brightest = max(max(max(north, south), max(east, west)), middle);
     float darkest = min(min(min(north, south), min(east, west)), middle);
