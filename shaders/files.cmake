@@ -20,6 +20,8 @@ set(RUSHLIGHT_SHADER_FILES
   passes/background.frag
   passes/bloom_downsample.frag
   passes/bloom_upsample.frag
+  passes/bounds.frag
+  passes/bounds.vert
   passes/debug_view.frag
   passes/depth.frag
   passes/depth.vert
