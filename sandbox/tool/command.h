@@ -13,7 +13,8 @@ namespace rushlight::tool {
 inline constexpr int kSuccess = 0;
 inline constexpr int kComparisonFailed = 1;
 
-/// Set by the subcommand that was chosen; run after all options are read. The value is the exit code.
+/// Set by the subcommand that was chosen; run after all options are read. The value is the exit
+/// code.
 using Action = std::function<Result<int>()>;
 
 /// 2 wrong use, 3 bad input, 4 no context.

@@ -70,21 +70,27 @@ Result<int> compare(const CompareArguments& arguments) {
 
 void addCompare(CLI::App& app, Action& action) {
     auto arguments = std::make_shared<CompareArguments>();
-    CLI::App* command =
-        app.add_subcommand("compare", "How different two pictures are, in numbers and as a picture");
-    command->add_option("A", arguments->a, "The reference: PNG, JPEG, EXR, HDR and others")->required();
+    CLI::App* command = app.add_subcommand(
+        "compare", "How different two pictures are, in numbers and as a picture");
+    command->add_option("A", arguments->a, "The reference: PNG, JPEG, EXR, HDR and others")
+        ->required();
     command->add_option("B", arguments->b, "The picture to judge, of the same size")->required();
-    command->add_option("--flip", arguments->maxFlip, "Exit with 1 when the mean FLIP error is over this (0 to 1)");
-    command->add_option("--psnr", arguments->minPsnr, "Exit with 1 when the PSNR is under this (dB)");
-    command->add_option("--max-error", arguments->maxError,
-                        "Exit with 1 when a value differs by more than this (8 bit pictures: 0 to 1)");
-    command->add_option("--diff", arguments->diff, "Write the FLIP error of every pixel as a picture");
+    command->add_option("--flip", arguments->maxFlip,
+                        "Exit with 1 when the mean FLIP error is over this (0 to 1)");
+    command->add_option("--psnr", arguments->minPsnr,
+                        "Exit with 1 when the PSNR is under this (dB)");
+    command->add_option(
+        "--max-error", arguments->maxError,
+        "Exit with 1 when a value differs by more than this (8 bit pictures: 0 to 1)");
+    command->add_option("--diff", arguments->diff,
+                        "Write the FLIP error of every pixel as a picture");
     command
         ->add_option("--pixels-per-degree", arguments->pixelsPerDegree,
                      "Of the display as the viewer sees it, for FLIP")
         ->check(CLI::Range(1.0f, 500.0f))
         ->capture_default_str();
-    command->callback([&action, arguments] { action = [arguments] { return compare(*arguments); }; });
+    command->callback(
+        [&action, arguments] { action = [arguments] { return compare(*arguments); }; });
 }
 
 }  // namespace rushlight::tool

@@ -24,9 +24,10 @@ Result<int> doctor() {
     for (const ContextAttempt& attempt : attempts) print(attempt);
     const auto first = std::ranges::find_if(attempts, &ContextAttempt::worked);
     if (first == attempts.end())
-        return fail("OpenGL 4.5 core",
-                    "No context works here; install Mesa's libegl1 and libgl1-mesa-dri, or libosmesa6.",
-                    ErrorKind::noContext);
+        return fail(
+            "OpenGL 4.5 core",
+            "No context works here; install Mesa's libegl1 and libgl1-mesa-dri, or libosmesa6.",
+            ErrorKind::noContext);
     std::printf("\n--context auto takes %s.\n", toText(first->kind));
     return kSuccess;
 }
@@ -34,8 +35,9 @@ Result<int> doctor() {
 }  // namespace
 
 void addDoctor(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand(
-        "doctor", "Which ways to an OpenGL 4.5 context work here, why the others do not, and what is reduced");
+    CLI::App* command = app.add_subcommand("doctor",
+                                           "Which ways to an OpenGL 4.5 context work here, why the "
+                                           "others do not, and what is reduced");
     command->callback([&action] { action = doctor; });
 }
 

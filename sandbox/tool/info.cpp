@@ -124,7 +124,8 @@ Result<int> info(const std::string& scene, bool asJson, bool strict) {
     const ordered_json json = describe(*model);
     if (asJson)
         // Names come from the file and may be no UTF-8.
-        std::printf("%s\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace).c_str());
+        std::printf("%s\n",
+                    json.dump(2, ' ', false, ordered_json::error_handler_t::replace).c_str());
     else
         printText(json);
     return kSuccess;
@@ -140,8 +141,8 @@ struct InfoArguments {
 
 void addInfo(CLI::App& app, Action& action) {
     auto arguments = std::make_shared<InfoArguments>();
-    CLI::App* command = app.add_subcommand(
-        "info", "What is in a file, its budget, and how exactly it is shown");
+    CLI::App* command =
+        app.add_subcommand("info", "What is in a file, its budget, and how exactly it is shown");
     command->add_option("SCENE", arguments->scene, "A .gltf or .glb file")->required();
     command->add_flag("--json", arguments->json, "Print JSON instead of text");
     command->add_flag("--strict", arguments->strict,
