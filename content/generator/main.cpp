@@ -1,5 +1,6 @@
 // rushlight-content OUTDIR: makes the project's own content, the same bytes on every machine.
 
+#include "content/generator/sky.h"
 #include "content/generator/square.h"
 #include "content/generator/surface.h"
 
@@ -35,6 +36,7 @@ void makeSquare(const fs::path& folder) {
     saveSurface(folder, windowSurface(), true, false);
     const SurfaceMaps water = bakeSurface(waterSurface());
     savePicture(folder, "water_normal", water.normal);
+    writeFile(folder / "dusk.hdr", encodeDuskSky());
     const Square square = buildSquare();
     square.document.save(folder);
     std::printf("square: %zu nodes, %zu triangles drawn, %d lamps\n", square.document.nodeCount(),

@@ -53,14 +53,24 @@ void voussoirs(MeshBuilder& b) {
     }
 }
 
+void ceiling(MeshBuilder& b) {
+    b.use(Mat::woodDark).grain({1, 0, 0});
+    b.box({-kHalfBay, 3.98f, -kArcadeDepth}, {kHalfBay, 4.08f, -kHalfDepth});
+    b.grain({0, 0, 1});
+    for (const float x : {-0.8f, 0.8f})
+        b.box({x - 0.11f, 3.74f, -kArcadeDepth}, {x + 0.11f, 3.98f, -kHalfDepth}, 0.02f);
+}
+
 }  // namespace
 
+/// The arch, and the ceiling behind it.
 MeshBuilder archPart() {
     MeshBuilder b;
     b.use(Mat::ashlar);
     spandrel(b);
     b.use(Mat::stone);
     voussoirs(b);
+    ceiling(b);
     return b;
 }
 
@@ -101,16 +111,6 @@ MeshBuilder arcadeFloorPart() {
             const float lift = 0.006f * unit(uint32_t(i), uint32_t(row), 301);
             b.box({x, -0.1f, z}, {x + kBay / 3, kArcadeFloor - lift, z + depth}, 0.010f);
         }
-    return b;
-}
-
-MeshBuilder arcadeCeilingPart() {
-    MeshBuilder b;
-    b.use(Mat::woodDark).grain({1, 0, 0});
-    b.box({-kHalfBay, 3.98f, -kArcadeDepth}, {kHalfBay, 4.08f, -kHalfDepth});
-    b.grain({0, 0, 1});
-    for (const float x : {-0.8f, 0.8f})
-        b.box({x - 0.11f, 3.74f, -kArcadeDepth}, {x + 0.11f, 3.98f, -kHalfDepth}, 0.02f);
     return b;
 }
 

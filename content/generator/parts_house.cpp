@@ -81,7 +81,7 @@ MeshBuilder cornicePart(int bays) {
                 {0.12f, -0.20f}, {0.26f, -0.20f}, {0.26f, -0.12f}, {0.29f, -0.09f}, {0.33f, -0.02f},
                 {0.33f, 0.02f}, {0, 0.02f}}, -half, half);
     for (float x = -half + 0.2f; x < half - 0.1f; x += 0.4f)  // modillions
-        b.box({x - 0.07f, -0.33f, 0.0f}, {x + 0.07f, -0.20f, 0.22f}, 0.008f);
+        b.box({x - 0.07f, -0.33f, 0.0f}, {x + 0.07f, -0.20f, 0.22f});
     return b;
 }
 

@@ -26,11 +26,6 @@ MeshBuilder lanternPart() {
         const vec3 rim[2] = {cageCorner(i, false), cageCorner((i + 1) % 4, false)};
         b.tube(rim, 0.010f, 4);
     }
-    return b;
-}
-
-MeshBuilder lanternGlassPart() {
-    MeshBuilder b;
     b.use(Mat::glass);
     for (int i = 0; i < 4; ++i) {
         const int j = (i + 1) % 4;

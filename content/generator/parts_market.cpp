@@ -48,7 +48,7 @@ MeshBuilder cratePart() {
         b.grain({1, 0, 0});
         for (const float y : {0.0f, h - 0.10f}) b.box({-s, y, s - 0.03f}, {s, y + 0.10f, s + 0.01f}, 0.006f);
         b.use(Mat::wood);
-        for (const float x : {-s, s - 0.10f}) b.box({x + 0.011f, 0.10f, s - 0.03f}, {x + 0.09f, h - 0.10f, s + 0.006f}, 0.006f);
+        for (const float x : {-s, s - 0.10f}) b.box({x + 0.011f, 0.10f, s - 0.03f}, {x + 0.09f, h - 0.10f, s + 0.006f});
     }
     return b;
 }

@@ -34,7 +34,7 @@ MeshBuilder shutterPart() {
     b.box({w - 0.06f, 0, 0}, {w, h, 0.04f}, 0.005f);
     b.grain({1, 0, 0});
     for (const float y : {0.0f, 0.72f, h - 0.08f})
-        b.box({0.06f, y, 0}, {w - 0.06f, y + 0.08f, 0.04f}, 0.005f);
+        b.box({0.06f, y, 0}, {w - 0.06f, y + 0.08f, 0.035f});
     for (int i = 0; i < 12; ++i) {  // slats
         const float y = (i < 6 ? 0.10f : 0.82f) + 0.100f * float(i % 6);
         b.hexahedron({vec3(0.06f, y, 0.008f), vec3(w - 0.06f, y, 0.008f), vec3(0.06f, y + 0.08f, 0.002f),

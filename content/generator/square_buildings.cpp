@@ -86,7 +86,7 @@ int addUpper(Square& s, const HouseKit& kit, const WallFrame& row, float x, floa
 }
 
 struct ArcadeKit {
-    int arch, floor, ceiling, column, pier, back, backWithDoor;
+    int arch, floor, column, pier, back, backWithDoor;
 };
 
 void addArcade(Square& s, const ArcadeKit& kit, const HouseKit& house, const std::string& stem,
@@ -107,7 +107,6 @@ void addArcade(Square& s, const ArcadeKit& kit, const HouseKit& house, const std
         const bool hasDoor = i % 3 == 1;
         piece(".floor", 0, kit.floor);
         piece(".arch", kArcadeFloor, kit.arch);
-        piece(".ceiling", kArcadeFloor, kit.ceiling);
         piece(".back", kArcadeFloor, hasDoor ? kit.backWithDoor : kit.back);
         const Mat paints[] = {Mat::paintGreen, Mat::paintBlue, Mat::paintRed, Mat::wood};
         if (hasDoor)
@@ -179,8 +178,7 @@ void addTownWall(Square& s) {
 void buildBuildings(Square& s) {
     Document& d = s.document;
     const HouseKit kit = makeKit(d);
-    const ArcadeKit arcade{d.addPart("arcade.arch", archPart()), d.addPart("arcade.floor", arcadeFloorPart()),
-                           d.addPart("arcade.ceiling", arcadeCeilingPart()), d.addPart("arcade.column", columnPart()),
+    const ArcadeKit arcade{d.addPart("arcade.arch", archPart()), d.addPart("arcade.floor", arcadeFloorPart()), d.addPart("arcade.column", columnPart()),
                            d.addPart("arcade.pier", pierPart()), d.addPart("arcade.back", arcadeBackPart(false)),
                            d.addPart("arcade.back.door", arcadeBackPart(true))};
     addArcade(s, arcade, kit, "arcade.north", northArcade(), 11);

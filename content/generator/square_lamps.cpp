@@ -7,7 +7,7 @@ namespace rushlight::content {
 namespace {
 
 struct LampKit {
-    int lantern, glass, bulb, post, bracket, chain;
+    int lantern, bulb, post, bracket, chain;
 };
 
 struct LampLook {
@@ -31,7 +31,6 @@ void addLantern(Square& s, const LampKit& kit, int parent, const vec3& local, La
     const std::string name = numbered("lamp", ++s.lamps);
     const LampLook l = look(color);
     const int lamp = d.addNode(name, parent, at(local), d.mesh(kit.lantern));
-    d.addNode(name + ".glass", lamp, at(vec3(0)), d.mesh(kit.glass));
     d.addNode(name + ".bulb", lamp, at(vec3(0)), d.mesh(kit.bulb, {{Mat::bulbWarm, l.bulb}}));
     const int light = d.addNode(name + ".light", lamp, at({0, -kLanternDrop, 0}));
     d.addLight(light, {LightSpec::Kind::point, l.color, candela, range});
@@ -59,8 +58,7 @@ void addSwing(Square& s, const LampKit& kit, const vec3& position, LampColor col
 
 void buildLamps(Square& s) {
     Document& d = s.document;
-    const LampKit kit{d.addPart("lantern", lanternPart()), d.addPart("lantern.glass", lanternGlassPart()),
-                      d.addPart("bulb", bulbPart()), d.addPart("lamp.post", lampPostPart()),
+    const LampKit kit{d.addPart("lantern", lanternPart()), d.addPart("bulb", bulbPart()), d.addPart("lamp.post", lampPostPart()),
                       d.addPart("lamp.bracket", wallBracketPart()), d.addPart("chain", chainPart(0.60f))};
     addPost(s, kit, {-7.2f, 0, 4.4f}, 0.10);
     addPost(s, kit, {5.4f, 0, 2.6f}, 0.02);
@@ -95,8 +93,8 @@ void buildLamps(Square& s) {
     spot("spot.belfry", kTowerAt + vec3(1.2f, kTowerShaft + 0.3f, 1.2f), kTowerAt + vec3(-0.4f, kTowerShaft + 4.5f, -0.4f),
          {LightSpec::Kind::spot, {1, 0.60f, 0.28f}, 10, 8, 0.17f});
     spot("spot.gate", {kGateX, 4.4f, kSouthFront - 3.2f}, {kGateX, 5.6f, kSouthFront}, {LightSpec::Kind::spot, {1, 0.75f, 0.5f}, 8, 8, 0.08f});
-    const int glow = d.addNode("lamp.fountain", -1, at({-1.0f, 2.95f, 0.2f}));
-    d.addLight(glow, {LightSpec::Kind::point, {0.55f, 0.80f, 1.0f}, 3, 6});
+    const int glow = d.addNode("lamp.fountain", -1, at({-1.0f, 3.05f, -0.2f}));
+    d.addLight(glow, {LightSpec::Kind::point, {0.55f, 0.80f, 1.0f}, 1.6f, 6});
 }
 
 }  // namespace rushlight::content

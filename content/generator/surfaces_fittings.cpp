@@ -71,19 +71,19 @@ SurfaceSpec clothSurface(const vec3& stripe, const std::string& name) {
 SurfaceSpec leafSurface() {
     // Leaves lie over each other on a card: each a pointed oval with a rib, the later ones in front.
     const auto texel = [](float u, float v) {
-        constexpr uint32_t kLeaves = 110;
+        constexpr uint32_t kLeaves = 170;
         Texel t;
         t.alpha = 0;
         t.color = vec3(0.17f, 0.22f, 0.09f);
         t.roughness = 0.62f;
         for (uint32_t i = 0; i < kLeaves; ++i) {
             const double angle = double(unit(i, 171));
-            const float reach = 0.40f * std::sqrt(unit(i, 172));
+            const float reach = 0.42f * std::sqrt(unit(i, 172));
             const float cx = 0.5f + reach * float(sinTurns(angle));
             const float cy = 0.5f + reach * float(cosTurns(angle));
             const double turn = angle + 0.28 * (double(unit(i, 173)) - 0.5);
             const float s = float(sinTurns(turn)), c = float(cosTurns(turn));
-            const float half = 0.052f + 0.030f * unit(i, 174);
+            const float half = 0.056f + 0.032f * unit(i, 174);
             const float along = ((u - cx) * s + (v - cy) * c) / half;
             const float across = ((u - cx) * c - (v - cy) * s) / half;
             if (along < -1 || along > 1) continue;

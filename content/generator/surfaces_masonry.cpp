@@ -48,7 +48,7 @@ SurfaceSpec ashlarSurface() {
         vec3 stone = mix(vec3(0.62f, 0.56f, 0.46f), vec3(0.56f, 0.54f, 0.50f), unit(block.id, 2));
         stone *= 0.86f + 0.20f * unit(block.id, 3);
         stone *= 0.86f + 0.22f * stain + 0.12f * (grain - 0.5f);
-        stone *= 1 - 0.22f * pits;
+        stone *= 1 - 0.12f * pits;
         t.color = mix(vec3(0.42f, 0.385f, 0.33f) * (0.8f + 0.3f * grain), stone, face);
         t.roughness = mixf(0.95f, 0.74f + 0.14f * stain, face);
         return t;
@@ -65,7 +65,7 @@ SurfaceSpec stoneSurface() {
         Texel t;
         t.height = 0.0024f * grain - 0.0024f * pits + 0.002f * bed;
         t.color = mix(vec3(0.66f, 0.61f, 0.52f), vec3(0.57f, 0.55f, 0.51f), bed) *
-                  (0.82f + 0.28f * stain + 0.14f * (grain - 0.5f)) * (1 - 0.2f * pits);
+                  (0.82f + 0.28f * stain + 0.14f * (grain - 0.5f)) * (1 - 0.11f * pits);
         t.roughness = 0.66f + 0.16f * grain + 0.12f * pits;
         return t;
     };
