@@ -56,9 +56,10 @@ void makeTestCard(const fs::path& folder) {
 int main(int argc, char** argv) {
     const bool help = argc == 2 && std::string_view(argv[1]) == "--help";
     if (argc != 2 || help) {
-        std::fprintf(help ? stdout : stderr,
-                     "usage: rushlight-content OUTDIR\n"
-                     "Writes the folders square and testcard (glTF, buffers, pictures) into OUTDIR.\n");
+        std::fprintf(
+            help ? stdout : stderr,
+            "usage: rushlight-content OUTDIR\n"
+            "Writes the folders square and testcard (glTF, buffers, pictures) into OUTDIR.\n");
         return help ? 0 : 2;
     }
     const fs::path out = argv[1];

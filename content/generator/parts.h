@@ -1,6 +1,6 @@
 #pragma once
-// The things of the square, each a mesh in its own space: origin on the ground in the middle, front towards +z.
-// Lengths in metres.
+// The things of the square, each a mesh in its own space: origin on the ground in the middle, front
+// towards +z. Lengths in metres.
 
 #include "content/generator/mesh_builder.h"
 

@@ -12,7 +12,8 @@ constexpr int kWidth = 128, kHeight = 64;
 constexpr vec3 kSunside{-0.647f, 0, 0.762f};
 
 vec3 skyRadiance(const vec3& d, float u, float v) {
-    const vec3 zenith(0.075f, 0.105f, 0.21f), horizon(0.30f, 0.20f, 0.185f), glow(0.85f, 0.42f, 0.16f);
+    const vec3 zenith(0.075f, 0.105f, 0.21f), horizon(0.30f, 0.20f, 0.185f),
+        glow(0.85f, 0.42f, 0.16f);
     if (d.y < 0) return mix(vec3(0.085f, 0.068f, 0.058f), vec3(0.05f, 0.045f, 0.042f), -d.y);
     const float low = (1 - d.y) * (1 - d.y);
     const float toSun = saturate(0.5f + 0.5f * dot(normalize(vec3(d.x, 0.001f, d.z)), kSunside));
@@ -22,7 +23,8 @@ vec3 skyRadiance(const vec3& d, float u, float v) {
     return sky + vec3(0.16f, 0.085f, 0.06f) * (veil * (0.3f + 0.7f * toSun));
 }
 
-/// Shared exponent: mantissas in [0, 256), the greatest at least 128 (Ward, "Real Pixels", Graphics Gems II, 1991).
+/// Shared exponent: mantissas in [0, 256), the greatest at least 128 (Ward, "Real Pixels", Graphics
+/// Gems II, 1991).
 void putRgbe(std::vector<uint8_t>& out, const vec3& c) {
     float scale = 1;
     int exponent = 128 + 8;
@@ -43,8 +45,10 @@ std::vector<uint8_t> encodeDuskSky() {
             const float u = (float(x) + 0.5f) / kWidth, v = (float(y) + 0.5f) / kHeight;
             const double latitude = 0.5 * (0.5 - double(v)), longitude = double(u) - 0.5;
             const float around = float(cosTurns(latitude));
-            putRgbe(out, skyRadiance({around * float(cosTurns(longitude)), float(sinTurns(latitude)),
-                                      around * float(sinTurns(longitude))}, u, v));
+            putRgbe(out,
+                    skyRadiance({around * float(cosTurns(longitude)), float(sinTurns(latitude)),
+                                 around * float(sinTurns(longitude))},
+                                u, v));
         }
     return out;
 }

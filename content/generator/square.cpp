@@ -21,8 +21,10 @@ Square buildSquare() {
     d.addCamera("overview", {14.5f, 14.5f, 22.5f}, {-3.5f, 2.0f, -3.5f}, 52);
     d.addCamera("gate", {-3.2f, 1.7f, 6.2f}, {4.2f, 3.0f, 18.0f}, 55);
     d.addNode("spawn", -1, at({8.0f, 0, 9.0f}, 0.61));
-    const int sun = d.addNode("sun", -1, {{-30, 24, 22}, rotationTurns({0, 1, 0}, -0.112) *
-                                                            rotationTurns({1, 0, 0}, -0.066), vec3(1)});
+    const int sun = d.addNode("sun", -1,
+                              {{-30, 24, 22},
+                               rotationTurns({0, 1, 0}, -0.112) * rotationTurns({1, 0, 0}, -0.066),
+                               vec3(1)});
     d.addLight(sun, {LightSpec::Kind::sun, {1.0f, 0.60f, 0.33f}, 3.0f});
     buildGround(square);
     buildBuildings(square);
