@@ -1,0 +1,33 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "renderer/capture/picture.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace rushlight {
+
+enum class ImageFormat : uint8_t { png, jpeg, exr };
+
+/// By the extension (.png, .jpg, .jpeg, .exr; case does not matter). ErrorKind::wrongUse for
+/// another one.
+Result<ImageFormat> imageFormatOf(const std::string& path);
+
+/// The bytes of a file; equal pictures give equal bytes (no date, no host name).
+///     png   8 bit sRGB, straight alpha; without the alpha channel when all is opaque
+///     jpeg  8 bit sRGB over black, quality 95
+///     exr   linear, premultiplied alpha; half floats, or floats when a value does not fit into a
+///     half
+/// `name` is for messages. ErrorKind::wrongUse when the format cannot hold this kind of picture.
+Result<std::vector<std::byte>> encodeImage(const std::string& name, ImageFormat,
+                                           const PictureView&);
+
+/// encodeImage and writeFile: a file is there whole or as it was before.
+Result<void> saveImage(const std::string& path, const PictureView&);
+
+/// Any format that OpenImageIO reads, of at most 16,384 pixels a side.
+Result<Picture> loadPicture(const std::string& path);
+
+}  // namespace rushlight
