@@ -102,7 +102,6 @@ enum class VertexLayout : uint8_t {
     standard,  ///< VertexPosition + VertexSurface, instances
     extended,  ///< VertexPosition + VertexSurface + VertexExtra, instances
     overlay,   ///< OverlayVertex
-    positionUv,  ///< VertexPosition + VertexSurface, of which the uv alone is read: alpha-masked depth
 };
 
 /// A program with its fixed-function state. Shader paths are names in the shader library ("passes/gbuffer.vert").
@@ -187,7 +186,6 @@ struct FrameTarget {
     uint32_t framebuffer = 0;  ///< a GL framebuffer name; 0 is the window
     uint32_t width = 0;
     uint32_t height = 0;
-    bool flipY = true;  ///< GL framebuffers have y up; false when the host reads rows from the top
 };
 
 }  // namespace rushlight

@@ -1,0 +1,226 @@
+#include "renderer/frame/geometry_store.h"
+
+#include "renderer/frame/vertex_packing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rushlight {
+namespace {
+
+constexpr uint32_t kFirstVertexCapacity = 1u << 16;
+constexpr uint32_t kFirstIndexCapacity = 1u << 18;
+constexpr uint32_t kMaxVertices = 1u << 28;
+
+std::string countText(size_t n) { return std::to_string(n); }
+
+Result<void> checkAttribute(const MeshDesc& desc, const char* name, size_t count) {
+    if (count == 0 || count == desc.positions.size()) return {};
+    return fail("mesh '" + std::string(desc.label) + "'",
+                std::string(name) + " has " + countText(count) + " elements but positions has " +
+                    countText(desc.positions.size()) + ".",
+                ErrorKind::wrongUse);
+}
+
+Result<void> check(const MeshDesc& desc) {
+    const std::string object = "mesh '" + std::string(desc.label) + "'";
+    if (desc.positions.empty() || desc.positions.size() > kMaxVertices)
+        return fail(object, "it has " + countText(desc.positions.size()) +
+                                " vertices; 1 to 268,435,456 are possible.");
+    if (desc.indices.empty() || desc.indices.size() % 3 != 0)
+        return fail(object, "it has " + countText(desc.indices.size()) +
+                                " indices; a positive multiple of three is needed.");
+    for (uint32_t index : desc.indices)
+        if (index >= desc.positions.size())
+            return fail(object, "the index " + countText(index) + " is not below the " +
+                                    countText(desc.positions.size()) + " vertices.");
+    for (const vec3& p : desc.positions)
+        if (!std::isfinite(p.x + p.y + p.z)) return fail(object, "a position is not finite.");
+    if (auto ok = checkAttribute(desc, "normals", desc.normals.size()); !ok) return ok;
+    if (auto ok = checkAttribute(desc, "tangents", desc.tangents.size()); !ok) return ok;
+    if (auto ok = checkAttribute(desc, "uv0", desc.uv0.size()); !ok) return ok;
+    if (auto ok = checkAttribute(desc, "uv1", desc.uv1.size()); !ok) return ok;
+    return checkAttribute(desc, "colors", desc.colors.size());
+}
+
+// Area-weighted vertex normals, for meshes that come with none.
+std::vector<vec3> makeNormals(const MeshDesc& desc) {
+    std::vector<vec3> normals(desc.positions.size(), vec3(0));
+    for (size_t i = 0; i < desc.indices.size(); i += 3) {
+        const uint32_t a = desc.indices[i], b = desc.indices[i + 1], c = desc.indices[i + 2];
+        const vec3 n = glm::cross(desc.positions[b] - desc.positions[a],
+                                  desc.positions[c] - desc.positions[a]);
+        for (uint32_t v : {a, b, c}) normals[v] += n;
+    }
+    for (vec3& n : normals) {
+        const float length = glm::length(n);
+        n = length > 0 ? n / length : vec3(0, 1, 0);
+    }
+    return normals;
+}
+
+uint16_t toUnorm16(float x) { return uint16_t(std::lround(std::clamp(x, 0.0f, 1.0f) * 65535)); }
+
+}  // namespace
+
+GeometryStore::~GeometryStore() {
+    for (const Family& family : families_) {
+        if (family.streams.positions) device_.destroy(family.streams.positions);
+        if (family.streams.surfaces) device_.destroy(family.streams.surfaces);
+        if (family.streams.extras) device_.destroy(family.streams.extras);
+    }
+    if (indices_) device_.destroy(indices_);
+}
+
+Result<MeshHandle> GeometryStore::create(const MeshDesc& desc) {
+    if (auto ok = check(desc); !ok) return tl::unexpected(ok.error());
+    GpuMesh mesh;
+    mesh.extended = !desc.uv1.empty() || !desc.colors.empty();
+    mesh.hasTangents = !desc.tangents.empty();
+    mesh.vertexCount = uint32_t(desc.positions.size());
+    mesh.indexCount = uint32_t(desc.indices.size());
+    for (const vec3& p : desc.positions) mesh.bounds.grow(p);
+    mesh.closed = isClosed(desc.positions, desc.indices);
+    mesh.firstVertex = families_[mesh.extended].vertices.allocate(mesh.vertexCount);
+    mesh.firstIndex = indexRanges_.allocate(mesh.indexCount);
+    if (auto ok = reserveVertices(mesh.extended); !ok) return tl::unexpected(ok.error());
+    if (auto ok = reserveIndices(); !ok) return tl::unexpected(ok.error());
+    upload(mesh, desc);
+    device_.write(indices_, uint64_t(mesh.firstIndex) * 4, std::as_bytes(desc.indices));
+    return meshes_.insert(mesh);
+}
+
+Result<void> GeometryStore::update(MeshHandle handle, const MeshDesc& desc) {
+    GpuMesh* mesh = meshes_.find(handle);
+    if (!mesh)
+        return fail("mesh '" + std::string(desc.label) + "'", "the handle is stale or none.",
+                    ErrorKind::wrongUse);
+    if (auto ok = check(desc); !ok) return ok;
+    if (desc.positions.size() != mesh->vertexCount)
+        return fail("mesh '" + std::string(desc.label) + "'",
+                    "an update has " + countText(desc.positions.size()) +
+                        " vertices but the mesh has " + countText(mesh->vertexCount) + ".",
+                    ErrorKind::wrongUse);
+    mesh->bounds = {};
+    for (const vec3& p : desc.positions) mesh->bounds.grow(p);
+    upload(*mesh, desc);
+    return {};
+}
+
+void GeometryStore::destroy(MeshHandle handle) {
+    const GpuMesh* mesh = meshes_.find(handle);
+    if (!mesh) return;
+    families_[mesh->extended].vertices.release(mesh->firstVertex, mesh->vertexCount);
+    indexRanges_.release(mesh->firstIndex, mesh->indexCount);
+    meshes_.erase(handle);
+}
+
+void GeometryStore::upload(const GpuMesh& mesh, const MeshDesc& desc) {
+    std::vector<vec3> made;
+    std::span<const vec3> normals = desc.normals;
+    if (normals.empty()) normals = made = makeNormals(desc);
+
+    const VertexStreams& streams = families_[mesh.extended].streams;
+    device_.write(streams.positions, uint64_t(mesh.firstVertex) * sizeof(VertexPosition),
+                  std::as_bytes(desc.positions));
+    std::vector<VertexSurface> surfaces(mesh.vertexCount);
+    for (uint32_t i = 0; i < mesh.vertexCount; ++i) {
+        surfaces[i].frame = packTangentFrame(
+            normals[i], desc.tangents.empty() ? vec4(0) : desc.tangents[i]);
+        surfaces[i].uv0 = desc.uv0.empty() ? vec2(0) : desc.uv0[i];
+    }
+    device_.write(streams.surfaces, uint64_t(mesh.firstVertex) * sizeof(VertexSurface),
+                  std::as_bytes(std::span(surfaces)));
+    if (!mesh.extended) return;
+    std::vector<VertexExtra> extras(mesh.vertexCount);
+    for (uint32_t i = 0; i < mesh.vertexCount; ++i) {
+        extras[i].uv1 = desc.uv1.empty() ? vec2(0) : desc.uv1[i];
+        const vec4 color = desc.colors.empty() ? vec4(1) : desc.colors[i];
+        for (int c = 0; c < 4; ++c) extras[i].color[size_t(c)] = toUnorm16(color[c]);
+    }
+    device_.write(streams.extras, uint64_t(mesh.firstVertex) * sizeof(VertexExtra),
+                  std::as_bytes(std::span(extras)));
+}
+
+Result<void> GeometryStore::grow(BufferHandle& buffer, const char* label, BufferUsage usage,
+                                 uint64_t oldBytes, uint64_t newBytes) {
+    auto larger = device_.createBuffer({label, newBytes, usage});
+    if (!larger) return tl::unexpected(larger.error());
+    if (buffer) {
+        device_.copy(buffer, *larger, oldBytes);
+        device_.destroy(buffer);
+    }
+    buffer = *larger;
+    return {};
+}
+
+Result<void> GeometryStore::reserveVertices(bool extended) {
+    Family& family = families_[extended];
+    const uint64_t old = family.capacity;
+    if (family.vertices.end() <= old) return {};
+    const uint64_t capacity = std::max<uint64_t>(
+        {kFirstVertexCapacity, old * 2, family.vertices.end()});
+    const auto usage = BufferUsage::vertex;
+    VertexStreams& s = family.streams;
+    const auto one = [&](BufferHandle& buffer, const char* label, uint64_t stride) {
+        return grow(buffer, label, usage, old * stride, capacity * stride);
+    };
+    if (auto ok = one(s.positions, extended ? "positions (extended)" : "positions",
+                      sizeof(VertexPosition)); !ok)
+        return ok;
+    if (auto ok = one(s.surfaces, extended ? "surfaces (extended)" : "surfaces",
+                      sizeof(VertexSurface)); !ok)
+        return ok;
+    if (extended)
+        if (auto ok = one(s.extras, "extras", sizeof(VertexExtra)); !ok) return ok;
+    family.capacity = uint32_t(capacity);
+    return {};
+}
+
+Result<void> GeometryStore::reserveIndices() {
+    if (indexRanges_.end() <= indexCapacity_) return {};
+    const uint64_t capacity = std::max<uint64_t>(
+        {kFirstIndexCapacity, uint64_t(indexCapacity_) * 2, indexRanges_.end()});
+    if (auto ok = grow(indices_, "indices", BufferUsage::index, uint64_t(indexCapacity_) * 4,
+                       capacity * 4); !ok)
+        return ok;
+    indexCapacity_ = uint32_t(capacity);
+    return {};
+}
+
+bool isClosed(std::span<const vec3> positions, std::span<const uint32_t> indices) {
+    // Weld equal positions: sort vertex numbers by position, number the runs.
+    std::vector<uint32_t> order(positions.size()), welded(positions.size());
+    for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    const auto less = [&](uint32_t a, uint32_t b) {
+        const vec3 &p = positions[a], &q = positions[b];
+        if (p.x != q.x) return p.x < q.x;
+        if (p.y != q.y) return p.y < q.y;
+        return p.z < q.z;
+    };
+    std::sort(order.begin(), order.end(), less);
+    uint32_t name = 0;
+    for (size_t i = 0; i < order.size(); ++i) {
+        if (i > 0 && less(order[i - 1], order[i])) ++name;
+        welded[order[i]] = name;
+    }
+    // A directed edge a->b counts as +1 under the key (min, max) when a < b, else -1: the sums must all be zero.
+    std::vector<uint64_t> forward, backward;
+    forward.reserve(indices.size() / 2 + 1);
+    backward.reserve(indices.size() / 2 + 1);
+    for (size_t i = 0; i < indices.size(); i += 3)
+        for (size_t k = 0; k < 3; ++k) {
+            const uint64_t a = welded[indices[i + k]], b = welded[indices[i + (k + 1) % 3]];
+            if (a == b) continue;
+            if (a < b)
+                forward.push_back(a << 32 | b);
+            else
+                backward.push_back(b << 32 | a);
+        }
+    if (forward.size() != backward.size()) return false;
+    std::sort(forward.begin(), forward.end());
+    std::sort(backward.begin(), backward.end());
+    return forward == backward;
+}
+
+}  // namespace rushlight

@@ -1,0 +1,67 @@
+#pragma once
+// Materials as packed texels of one buffer, and the sets of texture bindings that they share.
+
+#include "renderer/backend/device.h"
+#include "renderer/frame/frame_input.h"
+#include "renderer/frame/texture_store.h"
+
+#include <array>
+#include <vector>
+
+namespace rushlight {
+
+inline constexpr uint32_t kTextureSlots = 5;  ///< RL_TEXTURE_BASE_COLOR to RL_TEXTURE_EMISSIVE
+
+struct TextureBinding {
+    TextureHandle texture;
+    SamplerHandle sampler;
+    bool operator==(const TextureBinding&) const = default;
+};
+using TextureSet = std::array<TextureBinding, kTextureSlots>;
+
+struct GpuMaterial {
+    uint32_t surfaceFlags = 0;  ///< of surface_variant.h, from the material alone
+    uint32_t texel = 0;         ///< where its MaterialData begins
+    uint32_t textureSet = 0;
+};
+
+class MaterialStore {
+public:
+    MaterialStore(Device& device, TextureStore& textures);
+    ~MaterialStore();
+    MaterialStore(const MaterialStore&) = delete;
+    MaterialStore& operator=(const MaterialStore&) = delete;
+
+    Result<MaterialHandle> create(const MaterialDesc&);
+    Result<void> update(MaterialHandle, const MaterialDesc&);
+    void destroy(MaterialHandle);
+
+    /// Uploads what changed; call after TextureStore::flush, with its answer.
+    Result<void> flush(bool imagesMoved);
+
+    /// glTF's default material for a zero handle, null for a stale one.
+    const GpuMaterial* find(MaterialHandle material) const;
+    const TextureSet& textureSet(uint32_t index) const { return sets_[index]; }
+    BufferRange buffer() const;
+
+private:
+    struct Stored {
+        MaterialDesc desc;  ///< label left empty: it is the caller's memory
+        GpuMaterial gpu;
+    };
+    Result<void> check(const MaterialDesc&) const;
+    void pack(Stored&);
+    uint32_t internSet(const TextureSet&);
+
+    Device& device_;
+    TextureStore& textures_;
+    Pool<Stored, MaterialTag> materials_;
+    MaterialHandle default_;
+    std::vector<uvec4> texels_;
+    std::vector<TextureSet> sets_;
+    BufferHandle buffer_;
+    uint64_t bufferSize_ = 0;
+    bool dirty_ = true;
+};
+
+}  // namespace rushlight

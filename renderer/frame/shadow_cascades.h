@@ -1,0 +1,36 @@
+#pragma once
+// Cascaded shadow views of a directional light: one square region of light space each, around a sphere that holds the
+// camera's slice, so that its size does not change as the camera turns, and moved by whole texels, so that shadows do
+// not shimmer as it moves (Valient, "Stable Rendering of Cascaded Shadow Maps", ShaderX6, 2008).
+
+#include "renderer/frame/view_math.h"
+
+namespace rushlight {
+
+struct ShadowCascade {
+    mat4 clipFromWorld;   ///< reversed z, 1 nearest to the light
+    Frustum frustum;      ///< open towards the light: casters in front of the region count
+    float uvPerMetre = 0;
+    vec2 uvOffset{0};
+    float metresPerTexel = 0;
+};
+
+struct ShadowCascades {
+    uint32_t count = 0;
+    uint32_t resolution = 0;
+    /// World to light space: xy in metres, z in [0, 1].
+    vec4 rows[3];
+    std::array<ShadowCascade, 4> cascades;
+};
+
+struct ShadowCascadeDesc {
+    vec3 lightDirection;  ///< unit, the way the light travels
+    uint32_t count = 4;
+    uint32_t resolution = 2048;
+    float distance = 0;  ///< metres from the camera; 0: all of the scene
+    Aabb sceneBounds;    ///< of everything that casts or receives; not empty
+};
+
+ShadowCascades makeShadowCascades(const CameraMatrices& camera, const ShadowCascadeDesc& desc);
+
+}  // namespace rushlight

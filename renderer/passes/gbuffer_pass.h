@@ -1,0 +1,29 @@
+#pragma once
+// Opaque and alpha-masked surfaces into an image of surface properties. Layout: shaders/common/gbuffer.glsl.
+
+#include "renderer/frame/frame_plan.h"
+#include "renderer/passes/surface_pipelines.h"
+
+namespace rushlight {
+
+class GBufferPass {
+public:
+    struct Inputs {
+        DrawList* draws = nullptr;  ///< opaque; batches get their pipelines
+        DrawBinder binder;
+        BufferRange viewUniforms;  ///< interop::ViewUniforms
+        uint32_t width = 0, height = 0;
+    };
+    struct Outputs {
+        ImageId target0, target1, target2;  ///< RGBA8
+        ImageId depth;                      ///< D32F, reversed
+    };
+
+    explicit GBufferPass(Device& device);
+    Result<Outputs> add(FramePlan& plan, const Inputs& inputs);
+
+private:
+    SurfacePipelines pipelines_;
+};
+
+}  // namespace rushlight

@@ -1,0 +1,127 @@
+#include "renderer/passes/lighting_pass.h"
+
+#include "shaders/interop/bindings.h"
+
+namespace rushlight {
+namespace {
+
+constexpr std::string_view kDirectionalDefines[] = {
+    "DIRECTIONAL_LIGHTS 0", "DIRECTIONAL_LIGHTS 1", "DIRECTIONAL_LIGHTS 2", "DIRECTIONAL_LIGHTS 3",
+    "DIRECTIONAL_LIGHTS 4"};
+constexpr std::string_view kCascadeDefines[] = {"", "SHADOW_CASCADES 1", "SHADOW_CASCADES 2",
+                                                "SHADOW_CASCADES 3", "SHADOW_CASCADES 4"};
+
+struct Payload {
+    GBufferPass::Outputs gbuffer;
+    LightingBindings lighting;
+    PipelineHandle lightingPipeline, backgroundPipeline;
+    SamplerHandle nearest;
+};
+
+void record(const Payload& p, PassContext& context) {
+    CommandBuffer& commands = context.commands;
+    p.lighting.record(context);
+    const auto bind = [&](uint32_t slot, ImageId image) {
+        commands.push(BindTexture{slot, context.texture(image), p.nearest});
+    };
+    bind(RL_TEXTURE_GBUFFER0, p.gbuffer.target0);
+    bind(RL_TEXTURE_GBUFFER1, p.gbuffer.target1);
+    bind(RL_TEXTURE_GBUFFER2, p.gbuffer.target2);
+    bind(RL_TEXTURE_DEPTH, p.gbuffer.depth);
+    commands.push(SetPipeline{p.lightingPipeline});
+    commands.push(Draw{3, 1, 0});
+    if (p.lighting.sky)
+        commands.push(BindTexture{RL_TEXTURE_SKY, p.lighting.sky, p.lighting.cubeSampler});
+    commands.push(SetPipeline{p.backgroundPipeline});
+    commands.push(Draw{3, 1, 0});
+}
+
+}  // namespace
+
+void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) const {
+    defines.push_back(kDirectionalDefines[directionalLights]);
+    if (shadowCascades > 0) {
+        defines.push_back("SUN_SHADOW");
+        defines.push_back(kCascadeDefines[shadowCascades]);
+    }
+    if (clusteredLights) defines.push_back("CLUSTERED_LIGHTS");
+    if (environment) defines.push_back("ENVIRONMENT");
+    else if (hemisphere) defines.push_back("HEMISPHERE");
+    if (orthographic) defines.push_back("ORTHOGRAPHIC");
+}
+
+void LightingBindings::record(PassContext& context) const {
+    CommandBuffer& commands = context.commands;
+    commands.push(BindUniforms{RL_UNIFORMS_LIGHTING, 0, uniforms});
+    if (features.shadowCascades > 0)
+        commands.push(BindTexture{RL_TEXTURE_SHADOW, context.texture(shadowMap), shadowSampler});
+    if (features.clusteredLights) {
+        commands.push(BindTexelBuffer{RL_TEXTURE_LIGHTS, Format::rgba32f, {}, lights});
+        commands.push(BindTexelBuffer{RL_TEXTURE_CLUSTERS, Format::r32ui, {}, clusters});
+        commands.push(BindTexelBuffer{RL_TEXTURE_LIGHT_INDICES, Format::r16ui, {}, lightIndices});
+    }
+    if (features.environment) {
+        commands.push(BindTexture{RL_TEXTURE_ENVIRONMENT, environment, cubeSampler});
+        commands.push(BindTexture{RL_TEXTURE_BRDF_TABLE, brdfTable, linearSampler});
+    }
+}
+
+LightingPass::LightingPass(Device& device) : device_(device) {
+    SamplerDesc nearest;
+    nearest.wrapU = nearest.wrapV = TextureWrap::clampToEdge;
+    nearest.magnify = nearest.minify = TextureFilter::nearest;
+    nearest.useMipmaps = false;
+    nearest_ = device.createSampler(nearest);
+}
+
+// Both are full-screen triangles at the far plane. Lighting is drawn where something is nearer, the background where
+// nothing is: rejected by depth, pixels cost nothing, while a branch in the shader would save nothing on llvmpipe.
+Result<LightingPass::Entry> LightingPass::find(const LightingFeatures& features, bool showSky) {
+    for (const Entry& entry : entries_)
+        if (entry.features == features && entry.showSky == showSky) return entry;
+    Entry entry{features, showSky, {}, {}};
+    std::vector<std::string_view> defines{"LIGHTING_VARYINGS"};
+    features.appendDefines(defines);
+    PipelineDesc desc;
+    desc.label = "lighting";
+    desc.vertexShader = "passes/lighting.vert";
+    desc.fragmentShader = "passes/lighting.frag";
+    desc.defines = defines;
+    desc.depthTest = CompareOp::less;
+    auto lighting = device_.createPipeline(desc);
+    if (!lighting) return tl::unexpected(lighting.error());
+
+    std::vector<std::string_view> backgroundDefines{"BACKGROUND", "DIRECTIONAL_LIGHTS 0"};
+    if (showSky) backgroundDefines.push_back("ENVIRONMENT");
+    desc.label = "background";
+    desc.fragmentShader = "passes/background.frag";
+    desc.defines = backgroundDefines;
+    desc.depthTest = CompareOp::greaterOrEqual;
+    auto background = device_.createPipeline(desc);
+    if (!background) return tl::unexpected(background.error());
+    entry.lighting = *lighting;
+    entry.background = *background;
+    entries_.push_back(entry);
+    return entry;
+}
+
+Result<LightingPass::Outputs> LightingPass::add(FramePlan& plan, const Inputs& inputs) {
+    const auto entry = find(inputs.lighting.features, inputs.showSky);
+    if (!entry) return tl::unexpected(entry.error());
+    Outputs out;
+    out.radiance =
+        plan.createImage({"radiance", Format::rgba16f, inputs.width, inputs.height});
+    const PassTargets::Color colors[] = {{out.radiance, LoadOp::discard}};
+    const GBufferPass::Outputs& g = inputs.gbuffer;
+    const ImageId reads[] = {g.target0, g.target1, g.target2, g.depth, inputs.lighting.shadowMap};
+    PassTargets targets;
+    targets.colors = colors;
+    targets.depth = {g.depth, LoadOp::keep, 0, true};
+    targets.reads = reads;
+    plan.addPass<Payload>("lighting", targets,
+                          {g, inputs.lighting, entry->lighting, entry->background, nearest_},
+                          record);
+    return out;
+}
+
+}  // namespace rushlight

@@ -1,0 +1,71 @@
+#pragma once
+// Scene lighting: the G-buffer under suns, clustered lights, shadows and the ambient term, and the background behind.
+
+#include "renderer/frame/frame_plan.h"
+#include "renderer/frame/light_clusters.h"
+#include "renderer/passes/gbuffer_pass.h"
+
+#include <string_view>
+#include <vector>
+
+namespace rushlight {
+
+/// Which features the lighting shaders have this frame; deferred and forward are compiled for the same.
+struct LightingFeatures {
+    uint32_t directionalLights = 0;
+    uint32_t shadowCascades = 0;  ///< 0: the sun casts none
+    bool clusteredLights = false;
+    bool environment = false;
+    bool hemisphere = false;
+    bool orthographic = false;
+
+    bool operator==(const LightingFeatures&) const = default;
+    /// The #defines; the texts are static.
+    void appendDefines(std::vector<std::string_view>& defines) const;
+};
+
+/// What lighting shaders read besides the surface.
+struct LightingBindings {
+    LightingFeatures features;
+    BufferRange uniforms;  ///< interop::LightingUniforms
+    BufferRange lights, clusters, lightIndices;
+    ImageId shadowMap;  ///< null without shadows
+    SamplerHandle shadowSampler;
+    TextureHandle environment;  ///< prefiltered cube
+    TextureHandle sky;          ///< sharp cube
+    SamplerHandle cubeSampler;
+    TextureHandle brdfTable;
+    SamplerHandle linearSampler;
+
+    void record(PassContext& context) const;
+};
+
+class LightingPass {
+public:
+    struct Inputs {
+        GBufferPass::Outputs gbuffer;
+        LightingBindings lighting;
+        bool showSky = false;
+        uint32_t width = 0, height = 0;
+    };
+    struct Outputs {
+        ImageId radiance;  ///< RGBA16F, linear; alpha 0 where a transparent background shows
+    };
+
+    explicit LightingPass(Device& device);
+    Result<Outputs> add(FramePlan& plan, const Inputs& inputs);
+
+private:
+    struct Entry {
+        LightingFeatures features;
+        bool showSky;
+        PipelineHandle lighting, background;
+    };
+    Result<Entry> find(const LightingFeatures&, bool showSky);
+
+    Device& device_;
+    SamplerHandle nearest_;
+    std::vector<Entry> entries_;
+};
+
+}  // namespace rushlight

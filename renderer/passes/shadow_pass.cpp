@@ -1,0 +1,88 @@
+#include "renderer/passes/shadow_pass.h"
+
+#include "engine/core/hash.h"
+#include "renderer/frame/surface_variant.h"
+#include "shaders/interop/bindings.h"
+
+#include <cstring>
+
+namespace rushlight {
+namespace {
+
+constexpr const char* kPassNames[4] = {"shadow.0", "shadow.1", "shadow.2", "shadow.3"};
+
+struct Payload {
+    const DrawList* casters;
+    BufferRange viewUniforms;
+    DrawBinder binder;
+};
+
+void record(const Payload& payload, PassContext& context) {
+    context.commands.push(BindUniforms{RL_UNIFORMS_VIEW, 0, payload.viewUniforms});
+    context.commands.push(BindTexelBuffer{RL_TEXTURE_MATERIALS, Format::rgba32ui, {},
+                                          payload.binder.materials->buffer()});
+    payload.binder.record(context.commands, *payload.casters);
+}
+
+}  // namespace
+
+// The bias pushes casters away from the light by what their slope spans across a texel; the rest is the receivers'
+// normal offset (shaders/common/lighting.glsl). Depth is clamped so that casters before the view still cast.
+ShadowPass::ShadowPass(Device& device)
+    : device_(device),
+      pipelines_(device, {.label = "shadow",
+                          .vertexShader = "passes/surface.vert",
+                          .fragmentShader = "passes/depth.frag",
+                          .depthClamp = true,
+                          .depthBias = -1,
+                          .depthBiasSlope = -1.0f}) {}
+
+ShadowPass::~ShadowPass() {
+    if (map_) device_.destroy(map_);
+}
+
+Result<void> ShadowPass::reserve(uint32_t resolution, uint32_t layers) {
+    if (map_ && resolution == resolution_ && layers == layers_) return {};
+    TextureDesc desc;
+    desc.label = "shadow-map";
+    desc.kind = TextureKind::texture2dArray;
+    desc.format = Format::depth32f;
+    desc.width = desc.height = resolution;
+    desc.layers = layers;
+    auto texture = device_.createTexture(desc);
+    if (!texture) return tl::unexpected(texture.error());
+    if (map_) device_.destroy(map_);
+    map_ = *texture;
+    resolution_ = resolution;
+    layers_ = layers;
+    forget();
+    return {};
+}
+
+Result<ShadowPass::Outputs> ShadowPass::add(FramePlan& plan, const Inputs& inputs) {
+    const ShadowCascades& cascades = *inputs.cascades;
+    if (auto ok = reserve(cascades.resolution, cascades.count); !ok)
+        return tl::unexpected(ok.error());
+    Outputs out;
+    out.map = plan.importImage(
+        {"shadow-map", Format::depth32f, resolution_, resolution_, layers_}, map_);
+    for (uint32_t i = 0; i < cascades.count; ++i) {
+        DrawList& casters = *inputs.casters[i];
+        const uint64_t hash = casters.contentHash(*inputs.data) ^
+                              hashBytes(&cascades.cascades[i].clipFromWorld, sizeof(mat4), 7);
+        if (inputs.caching && hash == hashes_[i]) {
+            ++out.cached;
+            continue;
+        }
+        hashes_[i] = hash;
+        ++out.drawn;
+        if (auto ok = pipelines_.assign(casters); !ok) return tl::unexpected(ok.error());
+        PassTargets targets;
+        targets.depth = {out.map, LoadOp::clear, i};
+        plan.addPass<Payload>(kPassNames[i], targets,
+                              {&casters, inputs.viewUniforms[i], inputs.binder}, record);
+    }
+    return out;
+}
+
+}  // namespace rushlight

@@ -1,0 +1,14 @@
+// LightingUniforms read from the uniform block: for forward surfaces, whose triangles are too many for flat varyings.
+layout(std140, binding = RL_UNIFORMS_LIGHTING) uniform LightingBlock { LightingUniforms lighting; };
+
+#define L_SHADOW_SETTINGS lighting.shadowSettings
+#define L_SHADOW_ROW(i) lighting.shadowRows[i]
+#define L_SHADOW_CASCADE(i) lighting.shadowCascades[i]
+#define L_DIRECTION(i) lighting.directionalDirections[i]
+#define L_ILLUMINANCE(i) lighting.directionalIlluminances[i]
+#define L_CLUSTER_MAPPING lighting.clusterMapping
+#define L_CLUSTER_COUNTS lighting.clusterCounts
+#define L_ENVIRONMENT lighting.environment
+#define L_AMBIENT_SKY lighting.ambientSky
+#define L_AMBIENT_GROUND lighting.ambientGround
+#define L_IRRADIANCE(n) evaluateIrradiance(lighting.irradiance, n)

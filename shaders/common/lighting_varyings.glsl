@@ -1,0 +1,104 @@
+// LightingUniforms as flat varyings of a full-screen triangle, and the names by which lighting.glsl reads them.
+#include "interop/bindings.h"
+#include "interop/frame_uniforms.h"
+
+#if defined(VERTEX_STAGE)
+#define LIGHTING_VARYING out
+#else
+#define LIGHTING_VARYING in
+#endif
+
+layout(location = 0) LIGHTING_VARYING vec2 screenUv;
+layout(location = 1) LIGHTING_VARYING vec3 pixelRay;   // relative position = base + ray * view depth
+layout(location = 2) LIGHTING_VARYING vec3 pixelBase;  // zero for a perspective view
+layout(location = 3) flat LIGHTING_VARYING vec4 flatDepthDecode;
+layout(location = 4) flat LIGHTING_VARYING vec4 flatViewDirection;
+#if defined(BACKGROUND)
+layout(location = 5) flat LIGHTING_VARYING vec4 flatBackground;
+#endif
+#if DIRECTIONAL_LIGHTS > 0
+layout(location = 5) flat LIGHTING_VARYING vec4 flatDirections[DIRECTIONAL_LIGHTS];
+layout(location = 9) flat LIGHTING_VARYING vec4 flatIlluminances[DIRECTIONAL_LIGHTS];
+#endif
+#if defined(SUN_SHADOW)
+layout(location = 13) flat LIGHTING_VARYING vec4 flatShadowRows[3];
+layout(location = 16) flat LIGHTING_VARYING vec4 flatShadowCascades[SHADOW_CASCADES];
+layout(location = 20) flat LIGHTING_VARYING vec4 flatShadowSettings;
+#endif
+#if defined(CLUSTERED_LIGHTS)
+layout(location = 21) flat LIGHTING_VARYING vec4 flatClusterMapping;
+layout(location = 22) flat LIGHTING_VARYING vec4 flatClusterCounts;
+#endif
+#if defined(ENVIRONMENT)
+layout(location = 23) flat LIGHTING_VARYING vec4 flatEnvironment;
+// Nine coefficients of three channels in seven vectors
+layout(location = 24) flat LIGHTING_VARYING vec4 flatIrradiance[7];
+#elif defined(HEMISPHERE)
+layout(location = 23) flat LIGHTING_VARYING vec4 flatAmbientSky;
+layout(location = 24) flat LIGHTING_VARYING vec4 flatAmbientGround;
+#endif
+
+#if defined(VERTEX_STAGE)
+
+layout(std140, binding = RL_UNIFORMS_LIGHTING) uniform LightingBlock { LightingUniforms lighting; };
+
+void writeLightingVaryings(vec2 uv) {
+    screenUv = uv;
+    pixelRay = lighting.rayCorner.xyz + lighting.rayRight.xyz * uv.x + lighting.rayUp.xyz * uv.y;
+    pixelBase =
+        lighting.baseCorner.xyz + lighting.baseRight.xyz * uv.x + lighting.baseUp.xyz * uv.y;
+    flatDepthDecode = lighting.depthDecode;
+    flatViewDirection = lighting.viewDirection;
+#if defined(BACKGROUND)
+    flatBackground = lighting.background;
+#endif
+#if DIRECTIONAL_LIGHTS > 0
+    for (int i = 0; i < DIRECTIONAL_LIGHTS; ++i) {
+        flatDirections[i] = lighting.directionalDirections[i];
+        flatIlluminances[i] = lighting.directionalIlluminances[i];
+    }
+#endif
+#if defined(SUN_SHADOW)
+    for (int i = 0; i < 3; ++i) flatShadowRows[i] = lighting.shadowRows[i];
+    for (int i = 0; i < SHADOW_CASCADES; ++i) flatShadowCascades[i] = lighting.shadowCascades[i];
+    flatShadowSettings = lighting.shadowSettings;
+#endif
+#if defined(CLUSTERED_LIGHTS)
+    flatClusterMapping = lighting.clusterMapping;
+    flatClusterCounts = lighting.clusterCounts;
+#endif
+#if defined(ENVIRONMENT)
+    flatEnvironment = lighting.environment;
+    IrradianceSh sh = lighting.irradiance;
+    flatIrradiance[0] = vec4(sh.constant.xyz, sh.y.x);
+    flatIrradiance[1] = vec4(sh.y.yz, sh.z.xy);
+    flatIrradiance[2] = vec4(sh.z.z, sh.x.xyz);
+    flatIrradiance[3] = vec4(sh.xy.xyz, sh.yz.x);
+    flatIrradiance[4] = vec4(sh.yz.yz, sh.zz.xy);
+    flatIrradiance[5] = vec4(sh.zz.z, sh.xz.xyz);
+    flatIrradiance[6] = vec4(sh.xxMinusYy.xyz, 0.0);
+#elif defined(HEMISPHERE)
+    flatAmbientSky = lighting.ambientSky;
+    flatAmbientGround = lighting.ambientGround;
+#endif
+}
+
+#else
+
+#define L_SHADOW_SETTINGS flatShadowSettings
+#define L_SHADOW_ROW(i) flatShadowRows[i]
+#define L_SHADOW_CASCADE(i) flatShadowCascades[i]
+#define L_DIRECTION(i) flatDirections[i]
+#define L_ILLUMINANCE(i) flatIlluminances[i]
+#define L_CLUSTER_MAPPING flatClusterMapping
+#define L_CLUSTER_COUNTS flatClusterCounts
+#define L_ENVIRONMENT flatEnvironment
+#define L_AMBIENT_SKY flatAmbientSky
+#define L_AMBIENT_GROUND flatAmbientGround
+#define L_IRRADIANCE(n)                                                                        \
+    evaluateIrradiance(n, flatIrradiance[0].xyz, vec3(flatIrradiance[0].w, flatIrradiance[1].xy), \
+                       vec3(flatIrradiance[1].zw, flatIrradiance[2].x), flatIrradiance[2].yzw,    \
+                       flatIrradiance[3].xyz, vec3(flatIrradiance[3].w, flatIrradiance[4].xy),    \
+                       vec3(flatIrradiance[4].zw, flatIrradiance[5].x), flatIrradiance[5].yzw,    \
+                       flatIrradiance[6].xyz)
+#endif

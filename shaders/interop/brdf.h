@@ -1,0 +1,156 @@
+// The reflectance of glTF 2.0's metallic-roughness model and the falloff of KHR_lights_punctual, for every shader and
+// for the CPU path tracer.
+//
+// Sources: glTF 2.0 specification, appendix B (BRDF); KHR_lights_punctual (attenuation, spot cone);
+// Walter et al. 2007 (GGX); Heitz 2014, "Understanding the Masking-Shadowing Function" (height-correlated Smith);
+// Fdez-Aguera 2019, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", JCGT 8(1);
+// Turquin 2019, "Practical multiple scattering compensation for microfacet models".
+#ifndef RL_INTEROP_BRDF_H
+#define RL_INTEROP_BRDF_H
+
+#include "interop/interop.h"
+
+RL_INTEROP_BEGIN
+
+RL_CONST float kInversePi = 0.318309886183790671f;
+RL_CONST float kDielectricF0 = 0.04f;
+/// Below this the GGX peak exceeds what 32-bit floats and 24-bit normals resolve.
+RL_CONST float kMinRoughness = 0.045f;
+RL_CONST float kMinNdotV = 1e-4f;
+
+RL_INLINE float pow5(float x) {
+    float x2 = x * x;
+    return x2 * x2 * x;
+}
+
+// ---- terms -------------------------------------------------------------------------------------------------------
+
+RL_INLINE float clampRoughness(float roughness) { return clamp(roughness, kMinRoughness, 1.0f); }
+
+/// GGX normal distribution; `alpha2` = roughness to the fourth.
+RL_INLINE float distributionGgx(float nDotH, float alpha2) {
+    float c2 = min(nDotH * nDotH, 1.0f);
+    float d = alpha2 * c2 + (1.0f - c2);
+    return alpha2 * kInversePi / (d * d);
+}
+
+/// The root in Smith's masking term of one direction, which a light loop computes once for the view.
+RL_INLINE float smithRoot(float nDotX, float alpha2) {
+    return sqrt(nDotX * nDotX * (1.0f - alpha2) + alpha2);
+}
+
+/// Height-correlated Smith masking-shadowing, divided by 4 nDotL nDotV.
+RL_INLINE float visibilitySmith(float nDotV, float nDotL, float rootV, float rootL) {
+    return 0.5f / (nDotL * rootV + nDotV * rootL);
+}
+
+RL_INLINE vec3 fresnelSchlick(vec3 f0, float vDotH) {
+    return f0 + (vec3(1.0f) - f0) * pow5(clamp(1.0f - vDotH, 0.0f, 1.0f));
+}
+
+// ---- one surface point under many lights -------------------------------------------------------------------------
+
+/// All that does not depend on the light.
+struct ShadingPoint {
+    vec3 normal;         ///< unit
+    vec3 view;           ///< unit, towards the eye
+    vec3 diffuseOverPi;  ///< Lambert's albedo over pi
+    vec3 f0;             ///< reflectance at normal incidence
+    float nDotV;         ///< clamped away from zero
+    float alpha2;        ///< roughness to the fourth
+    float rootV;         ///< smithRoot(nDotV, alpha2)
+};
+
+RL_INLINE ShadingPoint makeShadingPoint(vec3 baseColor, float metallic, float roughness,
+                                        vec3 normal, vec3 view) {
+    ShadingPoint p;
+    float r = clampRoughness(roughness);
+    p.normal = normal;
+    p.view = view;
+    p.diffuseOverPi = baseColor * ((1.0f - metallic) * kInversePi);
+    p.f0 = mix(vec3(kDielectricF0), baseColor, metallic);
+    p.nDotV = clamp(dot(normal, view), kMinNdotV, 1.0f);
+    p.alpha2 = r * r * r * r;
+    p.rootV = smithRoot(p.nDotV, p.alpha2);
+    return p;
+}
+
+/// BRDF times nDotL for the unit direction `light` towards the light; zero from below the surface.
+/// The half vector h = (v + l) / |v + l| is never built: |v + l|^2 = 2 (1 + l.v), so
+/// n.h = (n.v + n.l) / |v + l| and v.h = |v + l| / 2.
+RL_INLINE vec3 evaluateBrdf(ShadingPoint p, vec3 light) {
+    float rawNdotL = dot(p.normal, light);
+    float nDotL = clamp(rawNdotL, 0.0f, 1.0f);
+    float halfLength2 = max(2.0f + 2.0f * dot(p.view, light), 1e-6f);
+    float inverseHalf = inversesqrt(halfLength2);
+    float nDotH = (dot(p.normal, p.view) + rawNdotL) * inverseHalf;
+    float vDotH = 0.5f * halfLength2 * inverseHalf;
+
+    vec3 fresnel = fresnelSchlick(p.f0, vDotH);
+    float specular = distributionGgx(nDotH, p.alpha2) *
+                     visibilitySmith(p.nDotV, nDotL, p.rootV, smithRoot(nDotL, p.alpha2));
+    return (p.diffuseOverPi + (vec3(specular) - p.diffuseOverPi) * fresnel) * nDotL;
+}
+
+// ---- environment light, with multiple scattering -----------------------------------------------------------------
+
+/// `table` = the split-sum integrals at (nDotV, roughness): the specular albedo under white light is f0 * x + y.
+RL_INLINE vec3 specularAlbedo(vec3 f0, vec2 table) { return f0 * table.x + vec3(table.y); }
+
+/// Turquin's factor on the single-scattering specular lobe that gives back what masking lost.
+RL_INLINE vec3 multipleScatteringScale(vec3 f0, vec2 table) {
+    return vec3(1.0f) + f0 * (1.0f / max(table.x + table.y, 1e-3f) - 1.0f);
+}
+
+/// What multiplies the two parts of environment light.
+struct EnvironmentWeights {
+    vec3 specular;  ///< times prefiltered radiance along the reflection
+    vec3 diffuse;   ///< times irradiance over pi at the normal
+};
+
+/// Fdez-Aguera's equations 18 to 22. Energy: a white surface under white light gives exactly white, since the
+/// diffuse part is what specular single and multiple scattering leave over.
+RL_INLINE EnvironmentWeights environmentWeights(vec3 diffuseAlbedo, vec3 f0, vec2 table) {
+    EnvironmentWeights w;
+    w.specular = specularAlbedo(f0, table);
+    float lost = 1.0f - (table.x + table.y);
+    vec3 averageFresnel = f0 + (vec3(1.0f) - f0) * (1.0f / 21.0f);
+    vec3 multiple = w.specular * averageFresnel * lost / (vec3(1.0f) - averageFresnel * lost);
+    w.diffuse = multiple + diffuseAlbedo * (vec3(1.0f) - w.specular - multiple);
+    return w;
+}
+
+/// Mip level of the prefiltered cube: level = roughness * (levels - 1), linear in perceptual roughness.
+RL_INLINE float environmentLevel(float roughness, float levels) {
+    return clamp(roughness, 0.0f, 1.0f) * (levels - 1.0f);
+}
+
+// ---- punctual lights ---------------------------------------------------------------------------------------------
+
+/// What lights store instead of the range: 0 for an unbounded light.
+RL_INLINE float inverseRangeSquared(float range) {
+    return range > 0.0f ? 1.0f / (range * range) : 0.0f;
+}
+
+/// max(min(1 - (d / range)^4, 1), 0) / d^2
+RL_INLINE float distanceAttenuation(float distanceSquared, float inverseRange2) {
+    float x = distanceSquared * inverseRange2;
+    return clamp(1.0f - x * x, 0.0f, 1.0f) / max(distanceSquared, 1e-8f);
+}
+
+/// x = scale, y = offset of the spot cone; angles in radians from the axis. A point light stores (0, 1).
+RL_INLINE vec2 spotScaleOffset(float innerAngle, float outerAngle) {
+    float cosOuter = cos(outerAngle);
+    float scale = 1.0f / max(0.001f, cos(innerAngle) - cosOuter);
+    return vec2(scale, -cosOuter * scale);
+}
+
+/// `cosine` = dot of the spot's direction and the direction from the light to the surface.
+RL_INLINE float spotAttenuation(float cosine, vec2 scaleOffset) {
+    float x = clamp(cosine * scaleOffset.x + scaleOffset.y, 0.0f, 1.0f);
+    return x * x;
+}
+
+RL_INTEROP_END
+
+#endif

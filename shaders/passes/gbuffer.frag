@@ -1,0 +1,27 @@
+#include "common/gbuffer.glsl"
+#include "common/material.glsl"
+
+layout(location = 0) out vec4 target0;
+layout(location = 1) out vec4 target1;
+layout(location = 2) out vec4 target2;
+
+void main() {
+    SurfaceSample s = sampleSurface();
+    vec3 packed24 = vec3(0.0);
+    int kind = RL_SURFACE_AT_REST;
+#if defined(UNLIT)
+    kind = RL_SURFACE_UNLIT;
+#elif defined(MOVING)
+    vec2 now = surfaceClip.xy / surfaceClip.w;
+    vec2 before = surfacePreviousClip.xy / surfacePreviousClip.w;
+    packed24 = packVelocity((now - before) * 0.5);
+    kind = RL_SURFACE_MOVING;
+#elif defined(EMISSIVE)
+    packed24 = packEmissive(s.emissive);
+#endif
+    GBufferTexels t = encodeGBuffer(s.baseColor.rgb, s.metallic, s.normal, s.roughness, packed24,
+                                    s.occlusion, kind);
+    target0 = t.target0;
+    target1 = t.target1;
+    target2 = t.target2;
+}

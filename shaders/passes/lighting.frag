@@ -1,0 +1,30 @@
+#include "common/gbuffer.glsl"
+#include "common/lighting_varyings.glsl"
+#include "common/lighting.glsl"
+
+layout(binding = RL_TEXTURE_GBUFFER0) uniform sampler2D gbuffer0;
+layout(binding = RL_TEXTURE_GBUFFER1) uniform sampler2D gbuffer1;
+layout(binding = RL_TEXTURE_GBUFFER2) uniform sampler2D gbuffer2;
+layout(binding = RL_TEXTURE_DEPTH) uniform sampler2D depthMap;
+
+layout(location = 0) out vec4 radiance;
+
+void main() {
+    GBufferSample g = decodeGBuffer(GBufferTexels(textureLod(gbuffer0, screenUv, 0.0),
+                                                  textureLod(gbuffer1, screenUv, 0.0),
+                                                  textureLod(gbuffer2, screenUv, 0.0)));
+    float depth = textureLod(depthMap, screenUv, 0.0).x;
+    float linear = depth * flatDepthDecode.x + flatDepthDecode.y;
+#if defined(ORTHOGRAPHIC)
+    float viewDepth = linear;
+    vec3 view = -flatViewDirection.xyz;
+#else
+    float viewDepth = 1.0 / linear;
+    vec3 view = -normalize(pixelRay);
+#endif
+    vec3 position = pixelBase + pixelRay * viewDepth;
+    LitSurface s = makeLitSurface(position, viewDepth, view, g.normal, g.baseColor, g.metallic,
+                                  g.roughness, g.occlusion);
+    vec3 lit = lightSurface(s, gl_FragCoord.xy) + g.emissive;
+    radiance = vec4(g.unlit > 0.5 ? g.baseColor : lit, 1.0);
+}
