@@ -1,0 +1,77 @@
+#include "renderer/frame/environment_store.h"
+
+#include "renderer/frame/brdf_table.h"
+#include "renderer/frame/environment_cache.h"
+
+namespace rushlight {
+
+EnvironmentStore::EnvironmentStore(Device& device, JobSystem& jobs, LogSink log,
+                                   std::string cacheDirectory)
+    : device_(device), jobs_(jobs), log_(log), cacheDirectory_(std::move(cacheDirectory)) {}
+
+EnvironmentStore::~EnvironmentStore() {
+    environments_.forEach([&](EnvironmentHandle, GpuEnvironment& environment) {
+        device_.destroy(environment.specular);
+        device_.destroy(environment.background);
+    });
+    if (brdfTable_) device_.destroy(brdfTable_);
+}
+
+Result<EnvironmentHandle> EnvironmentStore::create(const EnvironmentDesc& desc) {
+    auto prefiltered = prefilterEnvironmentCached(desc, cacheDirectory_, jobs_, log_);
+    if (!prefiltered) return tl::unexpected(prefiltered.error());
+    GpuEnvironment environment;
+    environment.irradiance = prefiltered->irradiance;
+    auto specular = uploadCube("environment-specular", prefiltered->specular);
+    if (!specular) return tl::unexpected(specular.error());
+    environment.specular = *specular;
+    auto background = uploadCube("environment-background", prefiltered->background);
+    if (!background) {
+        device_.destroy(environment.specular);
+        return tl::unexpected(background.error());
+    }
+    environment.background = *background;
+    return environments_.insert(environment);
+}
+
+void EnvironmentStore::destroy(EnvironmentHandle handle) {
+    const GpuEnvironment* environment = environments_.find(handle);
+    if (!environment) return;
+    device_.destroy(environment->specular);
+    device_.destroy(environment->background);
+    environments_.erase(handle);
+}
+
+Result<TextureHandle> EnvironmentStore::uploadCube(const char* label, const CubeTexels& cube) {
+    TextureDesc desc;
+    desc.label = label;
+    desc.kind = TextureKind::cube;
+    desc.format = Format::rgba16f;
+    desc.width = desc.height = cube.size;
+    desc.layers = 6;
+    desc.mipLevels = cube.levels;
+    auto texture = device_.createTexture(desc);
+    if (!texture) return texture;
+    for (uint32_t level = 0; level < cube.levels; ++level)
+        for (uint32_t face = 0; face < 6; ++face)
+            device_.write(*texture,
+                          {level, face, 1, cube.levelSize(level), cube.levelSize(level)},
+                          std::as_bytes(cube.face(level, face)));
+    return texture;
+}
+
+Result<TextureHandle> EnvironmentStore::brdfTable() {
+    if (brdfTable_) return brdfTable_;
+    const BrdfTable table = makeBrdfTable(jobs_);
+    TextureDesc desc;
+    desc.label = "brdf-table";
+    desc.format = Format::rg16f;
+    desc.width = desc.height = table.size;
+    auto texture = device_.createTexture(desc);
+    if (!texture) return texture;
+    const std::vector<uint16_t> halves = table.halves();
+    device_.write(*texture, {0, 0, 1, table.size, table.size}, std::as_bytes(std::span(halves)));
+    return brdfTable_ = *texture;
+}
+
+}  // namespace rushlight

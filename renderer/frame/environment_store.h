@@ -1,0 +1,46 @@
+#pragma once
+
+#include "engine/core/log.h"
+#include "interop/sh.h"
+#include "renderer/backend/device.h"
+#include "renderer/frame/environment.h"
+
+#include <string>
+
+namespace rushlight {
+
+/// An environment as lighting reads it.
+struct GpuEnvironment {
+    interop::IrradianceSh irradiance{};
+    TextureHandle specular;    ///< prefiltered cube, RGBA16F
+    TextureHandle background;  ///< sharp cube, RGBA16F
+};
+
+/// Prefilters environments (or takes them from the cache on disk) and holds their cubes and the BRDF table.
+class EnvironmentStore {
+public:
+    EnvironmentStore(Device& device, JobSystem& jobs, LogSink log, std::string cacheDirectory);
+    ~EnvironmentStore();
+    EnvironmentStore(const EnvironmentStore&) = delete;
+    EnvironmentStore& operator=(const EnvironmentStore&) = delete;
+
+    Result<EnvironmentHandle> create(const EnvironmentDesc&);
+    void destroy(EnvironmentHandle);
+    const GpuEnvironment* find(EnvironmentHandle environment) const {
+        return environments_.find(environment);
+    }
+    /// RG16F; made when first asked for.
+    Result<TextureHandle> brdfTable();
+
+private:
+    Result<TextureHandle> uploadCube(const char* label, const CubeTexels&);
+
+    Device& device_;
+    JobSystem& jobs_;
+    LogSink log_;
+    std::string cacheDirectory_;
+    Pool<GpuEnvironment, EnvironmentTag> environments_;
+    TextureHandle brdfTable_;
+};
+
+}  // namespace rushlight

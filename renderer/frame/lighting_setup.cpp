@@ -1,0 +1,101 @@
+#include "renderer/frame/lighting_setup.h"
+
+#include <cmath>
+
+namespace rushlight {
+
+interop::ViewUniforms makeViewUniforms(const CameraMatrices& camera) {
+    interop::ViewUniforms u{};
+    u.clipFromWorld = camera.clipFromWorld;
+    u.previousClipFromWorld = camera.previousClipFromWorld;
+    u.cameraPosition = vec4(camera.position, camera.perspective ? 1 : 0);
+    u.cameraForward = vec4(camera.forward, 0);
+    return u;
+}
+
+interop::ViewUniforms makeViewUniforms(const ShadowCascade& cascade) {
+    interop::ViewUniforms u{};
+    u.clipFromWorld = u.previousClipFromWorld = cascade.clipFromWorld;
+    return u;
+}
+
+int findSun(const Lighting& lighting) {
+    for (size_t i = 0; i < lighting.directional.size(); ++i)
+        if (lighting.directional[i].castsShadow) return int(i);
+    return -1;
+}
+
+namespace {
+
+void fillRays(const CameraMatrices& camera, interop::LightingUniforms& u) {
+    const float x = camera.perspective ? camera.tanHalfX : camera.halfWidth;
+    const float y = camera.perspective ? camera.tanHalfY : camera.halfHeight;
+    const vec4 corner = vec4(-camera.right * x - camera.up * y, 0);
+    const vec4 right = vec4(camera.right * (2 * x), 0), up = vec4(camera.up * (2 * y), 0);
+    if (camera.perspective) {
+        u.rayCorner = corner + vec4(camera.forward, 0);
+        u.rayRight = right;
+        u.rayUp = up;
+    } else {
+        u.rayCorner = vec4(camera.forward, 0);
+        u.baseCorner = corner;
+        u.baseRight = right;
+        u.baseUp = up;
+    }
+    u.depthDecode = vec4(camera.depthDecode, 0, 0);
+    u.viewDirection = vec4(camera.forward, 0);
+}
+
+void fillShadows(const CameraMatrices& camera, const ShadowCascades& cascades,
+                 interop::LightingUniforms& u) {
+    // Rows from camera-relative positions: the camera's own place goes into the constant.
+    for (int i = 0; i < 3; ++i) {
+        const vec4 row = cascades.rows[i];
+        u.shadowRows[i] = vec4(vec3(row), row.w + glm::dot(vec3(row), camera.position));
+    }
+    for (uint32_t i = 0; i < cascades.count; ++i) {
+        const ShadowCascade& c = cascades.cascades[i];
+        u.shadowCascades[i] = {c.uvPerMetre, c.uvOffset.x, c.uvOffset.y, c.metresPerTexel};
+    }
+    const float resolution = float(cascades.resolution);
+    u.shadowSettings = {float(cascades.count), resolution, 1 / resolution, 0};
+}
+
+}  // namespace
+
+interop::LightingUniforms makeLightingUniforms(const CameraMatrices& camera,
+                                               const Lighting& lighting, int sun,
+                                               const LightClusters& clusters,
+                                               const ShadowCascades& cascades,
+                                               const GpuEnvironment* environment) {
+    interop::LightingUniforms u{};
+    fillRays(camera, u);
+    u.clusterMapping = {clusters.sliceScale, clusters.sliceBias, float(clusters.tilesX),
+                        float(clusters.tilesX * clusters.tilesY)};
+    u.clusterCounts = {float(clusters.tilesX), float(clusters.tilesY),
+                       float(LightClusters::kSlices), 0};
+    if (cascades.count > 0) fillShadows(camera, cascades, u);
+
+    const size_t count = lighting.directional.size();
+    for (size_t i = 0; i < count; ++i) {
+        // The sun first, the others in order.
+        const size_t from = sun <= 0 ? i : i == 0 ? size_t(sun) : i <= size_t(sun) ? i - 1 : i;
+        const DirectionalLight& light = lighting.directional[from];
+        u.directionalDirections[i] = vec4(-glm::normalize(light.direction), 0);
+        u.directionalIlluminances[i] = vec4(light.illuminance, 0);
+    }
+    if (environment) {
+        u.irradiance = environment->irradiance;
+        u.environment = {std::cos(lighting.environmentRotation),
+                         std::sin(lighting.environmentRotation), lighting.environmentIntensity,
+                         float(kEnvironmentLevels)};
+    }
+    u.ambientSky = vec4(lighting.ambientSky, 0);
+    u.ambientGround = vec4(lighting.ambientGround, 0);
+    u.background = lighting.background == Background::transparent
+                       ? vec4(0)
+                       : vec4(lighting.backgroundColor, 1);
+    return u;
+}
+
+}  // namespace rushlight

@@ -1,0 +1,288 @@
+#include "renderer/frame_renderer.h"
+
+#include "renderer/frame/lighting_setup.h"
+
+#include <chrono>
+#include <cmath>
+
+namespace rushlight {
+namespace {
+
+constexpr uint32_t kMaxSide = 16384;
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+SamplerHandle clampingSampler(Device& device, bool mipmaps, bool compare) {
+    SamplerDesc desc;
+    desc.wrapU = desc.wrapV = TextureWrap::clampToEdge;
+    desc.useMipmaps = mipmaps;
+    desc.compareGreaterEqual = compare;
+    return device.createSampler(desc);
+}
+
+}  // namespace
+
+FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
+                             std::string cacheDirectory)
+    : geometry(device),
+      textures(device, jobs),
+      materials(device, textures),
+      environments(device, jobs, log, std::move(cacheDirectory)),
+      device_(device),
+      jobs_(jobs),
+      log_(log),
+      plan_(device),
+      gbufferPass_(device),
+      shadowPass_(device),
+      lightingPass_(device),
+      forwardPass_(device),
+      shadowSampler_(clampingSampler(device, false, true)),
+      cubeSampler_(clampingSampler(device, true, false)),
+      linearSampler_(clampingSampler(device, false, false)) {}
+
+Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& output,
+                                   const FrameOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    if (auto ok = checkInput(input, output); !ok) return ok;
+    const float aspect = float(output.target.width) / float(output.target.height);
+    const auto camera = makeCamera(input.view, aspect);
+    if (!camera) return tl::unexpected(camera.error());
+    if (auto ok = prepareResources(); !ok) return ok;
+
+    commands_.clear();
+    plan_.begin();
+    gatherViews(input, *camera);
+    if (auto ok = planPasses(input, output, *camera); !ok) return ok;
+    if (auto ok = plan_.compile(); !ok) return ok;
+    plan_.record(jobs_, commands_);
+    report_.cpuBuildMs = millisecondsSince(start);
+
+    ExecuteOptions execute;
+    execute.target = output.target;
+    execute.hashAttachments = options.hashPasses;
+    execute.timers = options.timers;
+    device_.execute(commands_, execute, execution_);
+    fillReport(input);
+    ++frameNumber_;
+    return {};
+}
+
+Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutput& output) const {
+    const auto wrong = [](const char* object, const std::string& what) {
+        return fail(object, what, ErrorKind::wrongUse);
+    };
+    const uint32_t w = output.target.width, h = output.target.height;
+    if (w == 0 || h == 0 || w > kMaxSide || h > kMaxSide)
+        return wrong("frame target", "its size is " + std::to_string(w) + "x" +
+                                         std::to_string(h) +
+                                         "; each side must be 1 to 16,384 pixels.");
+    const Lighting& lighting = input.lighting;
+    if (lighting.directional.size() > kMaxDirectionalLights)
+        return wrong("lighting", "there are " + std::to_string(lighting.directional.size()) +
+                                     " directional lights; at most 4 are possible.");
+    if (lighting.punctual.size() > kMaxPunctualLights)
+        return wrong("lighting", "there are " + std::to_string(lighting.punctual.size()) +
+                                     " point and spot lights; at most 4,096 are possible.");
+    for (const DirectionalLight& light : lighting.directional)
+        if (const float length = glm::length(light.direction);
+            !(length > 0) || !std::isfinite(length) ||
+            !std::isfinite(glm::length(light.illuminance)))
+            return wrong("lighting", "a directional light is not finite or has no direction.");
+    for (const PunctualLight& light : lighting.punctual)
+        if (!std::isfinite(glm::length(light.position) + glm::length(light.intensity) +
+                           glm::length(light.direction) + light.range))
+            return wrong("lighting", "a point or spot light is not finite.");
+    if (lighting.environment && !environments.find(lighting.environment))
+        return wrong("lighting", "the environment is a stale handle.");
+    const FrameSettings& s = input.settings;
+    if (s.shadows && (s.shadowCascades < 1 || s.shadowCascades > 4 ||
+                      s.shadowResolution < 64 || s.shadowResolution > 8192))
+        return wrong("settings", "shadows need 1 to 4 cascades of 64 to 8,192 texels; " +
+                                     std::to_string(s.shadowCascades) + " of " +
+                                     std::to_string(s.shadowResolution) + " were asked for.");
+    return {};
+}
+
+Result<void> FrameRenderer::prepareResources() {
+    const auto moved = textures.flush();
+    if (!moved) return tl::unexpected(moved.error());
+    return materials.flush(*moved);
+}
+
+// Resolves instances, then culls, sorts and lists every view at the same time.
+void FrameRenderer::gatherViews(const FrameInput& input, const CameraMatrices& camera) {
+    resolveInstances(input.instances, input.previousTransforms.size(), geometry, materials,
+                     jobs_, resolved_);
+    planShadows(input, camera);
+
+    const bool cull = input.settings.frustumCulling;
+    const uint32_t listCount = 3 + cascades_.count;
+    jobs_.forRanges(listCount, 1, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t i = begin; i < end; ++i) {
+            const auto gather = [&](DrawList& list, DrawListKind kind, const Frustum& frustum) {
+                list.gather(kind, input.instances, resolved_, frustum, camera.position,
+                            camera.forward, cull);
+            };
+            if (i == 0) gather(opaque_, DrawListKind::opaque, camera.frustum);
+            else if (i == 1) gather(blended_, DrawListKind::blend, camera.frustum);
+            else if (i == 2) gather(movingEmission_, DrawListKind::movingEmission, camera.frustum);
+            else gather(casters_[i - 3], DrawListKind::shadow, cascades_.cascades[i - 3].frustum);
+        }
+    });
+    const auto list = [&](uint32_t i) -> DrawList& {
+        return i == 0 ? opaque_ : i == 1 ? blended_ : i == 2 ? movingEmission_ : casters_[i - 3];
+    };
+    for (uint32_t i = 0; i < listCount; ++i) list(i).allocate(commands_);
+    jobs_.forRanges(listCount, 1, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t i = begin; i < end; ++i)
+            list(i).fill(commands_, input.instances, resolved_, input.previousTransforms);
+    });
+}
+
+void FrameRenderer::planShadows(const FrameInput& input, const CameraMatrices& camera) {
+    sun_ = input.settings.shadows ? findSun(input.lighting) : -1;
+    cascades_.count = 0;
+    if (sun_ < 0) return;
+    Aabb bounds;
+    for (const ResolvedInstance& r : resolved_)
+        if (r.mesh) bounds.grow(Aabb{r.center - r.halfExtent, r.center + r.halfExtent});
+    if (bounds.isEmpty()) return;
+    ShadowCascadeDesc desc;
+    desc.lightDirection = input.lighting.directional[size_t(sun_)].direction;
+    desc.count = input.settings.shadowCascades;
+    desc.resolution = input.settings.shadowResolution;
+    desc.distance = input.settings.shadowDistance;
+    desc.sceneBounds = bounds;
+    cascades_ = makeShadowCascades(camera, desc);
+}
+
+Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
+                                                     const CameraMatrices& camera,
+                                                     const FrameOutput& output) {
+    const Lighting& lighting = input.lighting;
+    clusters_.build(camera, output.target.width, output.target.height, lighting.punctual);
+    const GpuEnvironment* environment = environments.find(lighting.environment);
+
+    LightingBindings b;
+    b.features.directionalLights = uint32_t(lighting.directional.size());
+    b.features.shadowCascades = cascades_.count;
+    b.features.clusteredLights = clusters_.visibleLights > 0;
+    b.features.environment = environment != nullptr;
+    b.features.hemisphere =
+        lighting.ambientSky != vec3(0) || lighting.ambientGround != vec3(0);
+    b.features.orthographic = !camera.perspective;
+    b.uniforms = uniforms(
+        makeLightingUniforms(camera, lighting, sun_, clusters_, cascades_, environment));
+    if (b.features.clusteredLights) {
+        b.lights = commands_.append(std::span<const GpuLight>(clusters_.lights));
+        b.clusters = commands_.append(std::span<const uint32_t>(clusters_.clusters));
+        b.lightIndices = commands_.append(std::span<const uint16_t>(clusters_.indices));
+    }
+    b.shadowSampler = shadowSampler_;
+    b.cubeSampler = cubeSampler_;
+    b.linearSampler = linearSampler_;
+    if (environment) {
+        b.environment = environment->specular;
+        b.sky = environment->background;
+        auto table = environments.brdfTable();
+        if (!table) return tl::unexpected(table.error());
+        b.brdfTable = *table;
+    }
+    return b;
+}
+
+Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutput& output,
+                                       const CameraMatrices& camera) {
+    const DrawBinder binder{&geometry, &materials};
+    const uint32_t width = output.target.width, height = output.target.height;
+    const BufferRange viewUniforms = uniforms(makeViewUniforms(camera));
+
+    auto lighting = bindLighting(input, camera, output);
+    if (!lighting) return tl::unexpected(lighting.error());
+
+    shadows_ = {};
+    if (cascades_.count > 0) {
+        ShadowPass::Inputs in;
+        in.cascades = &cascades_;
+        for (uint32_t i = 0; i < cascades_.count; ++i) {
+            in.casters[i] = &casters_[i];
+            in.viewUniforms[i] = uniforms(makeViewUniforms(cascades_.cascades[i]));
+        }
+        in.binder = binder;
+        in.data = &commands_;
+        in.caching = input.settings.shadowCaching;
+        auto shadows = shadowPass_.add(plan_, in);
+        if (!shadows) return tl::unexpected(shadows.error());
+        shadows_ = *shadows;
+        lighting->shadowMap = shadows_.map;
+    }
+
+    auto gbuffer = gbufferPass_.add(plan_, {&opaque_, binder, viewUniforms, width, height});
+    if (!gbuffer) return tl::unexpected(gbuffer.error());
+
+    const bool sky = lighting->features.environment &&
+                     input.lighting.background == Background::environment;
+    auto lit = lightingPass_.add(plan_, {*gbuffer, *lighting, sky, width, height});
+    if (!lit) return tl::unexpected(lit.error());
+
+    ForwardPass::Inputs forwardInputs{&blended_,     &movingEmission_, binder,        viewUniforms,
+                                      *lighting, lit->radiance,    gbuffer->depth};
+    auto forward = forwardPass_.add(plan_, forwardInputs);
+    if (!forward) return tl::unexpected(forward.error());
+
+    plan_.requestImage(forward->radiance);
+    return {};
+}
+
+void FrameRenderer::fillReport(const FrameInput& input) {
+    FrameReport& r = report_;
+    r.frameNumber = frameNumber_;
+    r.instances = uint32_t(input.instances.size());
+    r.visible = opaque_.visibleCount() + blended_.visibleCount();
+    r.rejected = 0;
+    for (const ResolvedInstance& resolved : resolved_) r.rejected += !resolved.mesh;
+    r.culledFrustum = r.instances - r.rejected - r.visible;
+    r.lights = uint32_t(input.lighting.directional.size() + input.lighting.punctual.size());
+    r.lightsVisible = uint32_t(input.lighting.directional.size()) + clusters_.visibleLights;
+    r.shadowViewsDrawn = shadows_.drawn;
+    r.shadowViewsCached = shadows_.cached;
+    r.cpuExecuteMs = execution_.cpuMs;
+    r.glCalls = execution_.glCalls;
+    r.stateChanges = execution_.stateChanges;
+    r.uploadedBytes = execution_.uploadedBytes;
+    r.waits = execution_.waits;
+    r.draws = 0;
+    r.triangles = 0;
+    r.gpuMs = 0;
+    r.passes.resize(plan_.keptPassCount());
+    for (uint32_t i = 0; i < plan_.keptPassCount(); ++i) {
+        PassReport& pass = r.passes[i];
+        const PassExecution& done = execution_.passes[i];
+        pass.name = plan_.passName(i);
+        pass.draws = done.draws;
+        pass.triangles = done.triangles;
+        pass.cpuMs = done.cpuMs;
+        pass.gpuMs = done.gpuMs;
+        pass.hashes.assign(done.attachmentHashes.begin(), done.attachmentHashes.end());
+        pass.bytesPerPixel = plan_.passBytesPerPixel(i);
+        pass.reads.clear();
+        pass.writes.clear();
+        plan_.forEachRead(i, [&](const char* name) { pass.reads.push_back(name); });
+        plan_.forEachWrite(i, [&](const char* name) { pass.writes.push_back(name); });
+        r.draws += done.draws;
+        r.triangles += done.triangles;
+        r.gpuMs += done.gpuMs;
+    }
+    if (r.rejected > 0 && !warnedRejected_) {
+        warnedRejected_ = true;
+        log_(LogLevel::warning,
+             std::to_string(r.rejected) +
+                 " instances are left out: their mesh or material handle is stale, their "
+                 "previous transform is missing, or their transform is not finite.");
+    }
+}
+
+}  // namespace rushlight

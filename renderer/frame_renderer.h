@@ -1,0 +1,83 @@
+#pragma once
+// One frame from FrameInput to a report: resolve, cull, list, light, plan, record, execute.
+
+#include "renderer/backend/device.h"
+#include "renderer/frame/draw_list.h"
+#include "renderer/frame/environment_store.h"
+#include "renderer/frame/final_target.h"
+#include "renderer/frame/frame_plan.h"
+#include "renderer/frame/light_clusters.h"
+#include "renderer/frame/shadow_cascades.h"
+#include "renderer/passes/forward_pass.h"
+#include "renderer/passes/gbuffer_pass.h"
+#include "renderer/passes/lighting_pass.h"
+#include "renderer/passes/shadow_pass.h"
+#include "renderer/renderer.h"
+
+#include <array>
+
+namespace rushlight {
+
+/// What becomes of the picture.
+struct FrameOutput {
+    FrameTarget target;      ///< size; and the framebuffer when not `offscreen`
+    bool offscreen = false;  ///< into an image that is read back under `ticket`
+    bool hdr = false;        ///< read the linear radiance back instead of the display image
+    uint32_t ticket = 0;
+};
+
+class FrameRenderer {
+public:
+    FrameRenderer(Device& device, JobSystem& jobs, LogSink log, std::string cacheDirectory);
+
+    GeometryStore geometry;
+    TextureStore textures;
+    MaterialStore materials;
+    EnvironmentStore environments;
+
+    Result<void> render(const FrameInput&, const FrameOutput&, const FrameOptions&);
+    void forgetCaches() { shadowPass_.forget(); }
+
+    const FrameReport& report() const { return report_; }
+    const CommandBuffer& commands() const { return commands_; }
+
+private:
+    Result<void> checkInput(const FrameInput&, const FrameOutput&) const;
+    Result<void> prepareResources();
+    void gatherViews(const FrameInput&, const CameraMatrices&);
+    void planShadows(const FrameInput&, const CameraMatrices&);
+    Result<void> planPasses(const FrameInput&, const FrameOutput&, const CameraMatrices&);
+    Result<LightingBindings> bindLighting(const FrameInput&, const CameraMatrices&,
+                                          const FrameOutput&);
+    void fillReport(const FrameInput&);
+    template <class T>
+    BufferRange uniforms(const T& value) {
+        return commands_.append(std::span<const T>(&value, 1));
+    }
+
+    Device& device_;
+    JobSystem& jobs_;
+    LogSink log_;
+    FramePlan plan_;
+    GBufferPass gbufferPass_;
+    ShadowPass shadowPass_;
+    LightingPass lightingPass_;
+    ForwardPass forwardPass_;
+    SamplerHandle shadowSampler_, cubeSampler_, linearSampler_;
+
+    CommandBuffer commands_;
+    ExecutionReport execution_;
+    FrameReport report_;
+    std::vector<ResolvedInstance> resolved_;
+    DrawList opaque_, blended_, movingEmission_;
+    std::array<DrawList, 4> casters_;
+    std::array<BufferRange, 4> casterUniforms_{};
+    ShadowCascades cascades_;
+    LightClusters clusters_;
+    int sun_ = -1;
+    bool warnedRejected_ = false;
+    ShadowPass::Outputs shadows_;
+    uint64_t frameNumber_ = 0;
+};
+
+}  // namespace rushlight
