@@ -198,6 +198,7 @@ struct Model {
     std::vector<Skin> skins;
     std::vector<Animation> animations;
     Fidelity fidelity;
+    std::vector<std::string> warnings;  ///< full sentences: what was replaced, as the options allow
 };
 
 }  // namespace rushlight::assets

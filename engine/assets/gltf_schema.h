@@ -1,0 +1,11 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace rushlight::assets {
+
+/// Checks the JSON of a glTF 2.0 file against the rules that need no buffer: types, required properties, ranges,
+/// enumerations, references, extensions, hierarchy. Throws InputError that says what is wrong and where.
+void checkSchema(const nlohmann::json& gltf);
+
+}  // namespace rushlight::assets
