@@ -106,10 +106,10 @@ enum class VertexLayout : uint8_t {
 
 /// A program with its fixed-function state. Shader paths are names in the shader library ("passes/gbuffer.vert").
 struct PipelineDesc {
-    std::string_view label;
-    std::string_view vertexShader;
-    std::string_view fragmentShader;
-    std::span<const std::string_view> defines;  ///< "NAME" or "NAME VALUE"; order matters to the cache
+    std::string_view label = {};
+    std::string_view vertexShader = {};
+    std::string_view fragmentShader = {};
+    std::span<const std::string_view> defines = {};  ///< "NAME" or "NAME VALUE"; order matters to the cache
     VertexLayout layout = VertexLayout::none;
     bool movingInstances = false;  ///< the instance stream also holds previous transforms
     CullMode cull = CullMode::none;

@@ -1,0 +1,230 @@
+#include "renderer/backend/gl/gl_device.h"
+
+#include "renderer/backend/gl/gl_debug.h"
+#include "renderer/backend/gl/gl_executor.h"
+#include "renderer/backend/validate.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace rushlight {
+namespace {
+
+constexpr GLenum kMaxTextureMaxAnisotropy = 0x84FF;  // GL_EXT_texture_filter_anisotropic, core 4.6
+
+std::string textOf(const GlFunctions& gl, GLenum name) {
+    const GLubyte* text = gl.GetString(name);
+    return text ? reinterpret_cast<const char*>(text) : "";
+}
+
+GLint integerOf(const GlFunctions& gl, GLenum name) {
+    GLint value = 0;
+    gl.GetIntegerv(name, &value);
+    return value;
+}
+
+bool hasExtension(const GlFunctions& gl, const char* name) {
+    const GLint count = integerOf(gl, GL_NUM_EXTENSIONS);
+    for (GLint i = 0; i < count; ++i)
+        if (std::strcmp(reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, GLuint(i))),
+                        name) == 0)
+            return true;
+    return false;
+}
+
+float maxAnisotropyOf(const GlFunctions& gl) {
+    if (!hasExtension(gl, "GL_EXT_texture_filter_anisotropic") &&
+        !hasExtension(gl, "GL_ARB_texture_filter_anisotropic"))
+        return 1;
+    return float(integerOf(gl, kMaxTextureMaxAnisotropy));
+}
+
+DeviceLimits limitsOf(const GlFunctions& gl) {
+    DeviceLimits limits;
+    limits.textureSize = uint32_t(integerOf(gl, GL_MAX_TEXTURE_SIZE));
+    limits.cubeSize = uint32_t(integerOf(gl, GL_MAX_CUBE_MAP_TEXTURE_SIZE));
+    limits.textureLayers = uint32_t(integerOf(gl, GL_MAX_ARRAY_TEXTURE_LAYERS));
+    return limits;
+}
+
+uint32_t offsetAlignmentOf(const GlFunctions& gl) {
+    return uint32_t(std::max(integerOf(gl, GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT),
+                             integerOf(gl, GL_TEXTURE_BUFFER_OFFSET_ALIGNMENT)));
+}
+
+class GlDevice final : public Device {
+public:
+    GlDevice(std::unique_ptr<GlFunctions> functions, const GlDeviceDesc& desc)
+        : functions_(std::move(functions)), gl_(*functions_), name_(textOf(gl_, GL_RENDERER)),
+          version_(textOf(gl_, GL_VERSION)), limits_(limitsOf(gl_)),
+          maxAnisotropy_(maxAnisotropyOf(gl_)), debug_(gl_, desc.debugOutput), state_(gl_),
+          resources_(gl_), programs_(gl_, state_, desc.shaderDirectory, desc.cacheDirectory, desc.log),
+          vertexArrays_(gl_, state_), ring_(gl_, desc.framesInFlight, offsetAlignmentOf(gl_)),
+          timers_(gl_), readback_(gl_) {}
+    ~GlDevice() override {
+        for (const GlTexelUnit& unit : texelUnits_)
+            if (unit.texture) gl_.DeleteTextures(1, &unit.texture);
+    }
+
+    std::string_view name() const override { return name_; }
+    std::string_view version() const override { return version_; }
+
+    Result<BufferHandle> createBuffer(const BufferDesc& desc) override {
+        return validate(desc, limits_).map([&] {
+            return resources_.buffers.insert(resources_.createBuffer(desc));
+        });
+    }
+    Result<TextureHandle> createTexture(const TextureDesc& desc) override {
+        return validate(desc, limits_).map([&] {
+            return resources_.textures.insert(resources_.createTexture(desc));
+        });
+    }
+    SamplerHandle createSampler(const SamplerDesc& desc) override;
+    Result<PipelineHandle> createPipeline(const PipelineDesc& desc) override;
+    void destroy(BufferHandle handle) override;
+    void destroy(TextureHandle handle) override;
+    void write(BufferHandle handle, uint64_t offset, std::span<const std::byte> data) override;
+    void write(TextureHandle handle, const TextureRegion& region,
+               std::span<const std::byte> data) override;
+    void copy(BufferHandle from, BufferHandle to, uint64_t size) override;
+    void execute(const CommandBuffer& commands, const ExecuteOptions& options,
+                 ExecutionReport& report) override;
+    bool takeReadback(uint32_t ticket, bool wait, ReadbackImage& image) override {
+        return readback_.take(ticket, wait, image);
+    }
+    Result<uint32_t> reloadShaders() override { return programs_.reload(); }
+    void finish() override { gl_.Finish(); }
+    std::vector<std::string> takeDebugMessages() override { return debug_.take(); }
+
+private:
+    void forgetBuffer(GLuint name);
+
+    std::unique_ptr<GlFunctions> functions_;
+    GlFunctions& gl_;
+    std::string name_, version_;
+    DeviceLimits limits_;
+    float maxAnisotropy_;
+    GlDebug debug_;
+    GlState state_;
+    GlResources resources_;
+    GlPrograms programs_;
+    GlVertexArrays vertexArrays_;
+    GlUploadRing ring_;
+    GlTimers timers_;
+    GlReadback readback_;
+    GlTexelUnits texelUnits_{};
+};
+
+SamplerHandle GlDevice::createSampler(const SamplerDesc& desc) {
+    SamplerHandle equal;
+    resources_.samplers.forEach([&](SamplerHandle handle, const GlSampler& sampler) {
+        if (sampler.desc == desc) equal = handle;
+    });
+    return equal ? equal
+                 : resources_.samplers.insert(resources_.createSampler(desc, maxAnisotropy_));
+}
+
+Result<PipelineHandle> GlDevice::createPipeline(const PipelineDesc& desc) {
+    if (Result<void> valid = validate(desc); !valid) return tl::unexpected(valid.error());
+    return programs_.get(desc).map([&](uint32_t program) {
+        return resources_.pipelines.insert(
+            {program, desc.layout, desc.movingInstances, desc.lines,
+             {desc.cull, desc.depthTest, desc.depthWrite, desc.depthClamp, desc.depthBias,
+              desc.depthBiasSlope, desc.blend}});
+    });
+}
+
+// GL keeps a deleted object's memory until the GPU is done with it; only names must be forgotten.
+
+void GlDevice::forgetBuffer(GLuint name) {
+    state_.forgetBuffer(name);
+    vertexArrays_.forgetBuffer(name);
+    for (GlTexelUnit& unit : texelUnits_)
+        if (unit.buffer == name) unit.buffer = 0;
+}
+
+void GlDevice::destroy(BufferHandle handle) {
+    const GlBuffer* buffer = resources_.buffers.find(handle);
+    if (!buffer) return;
+    forgetBuffer(buffer->name);
+    gl_.DeleteBuffers(1, &buffer->name);
+    resources_.buffers.erase(handle);
+}
+
+void GlDevice::destroy(TextureHandle handle) {
+    const GlTexture* texture = resources_.textures.find(handle);
+    if (!texture) return;
+    resources_.forgetFramebuffers(handle);
+    state_.forgetTexture(texture->name);
+    gl_.DeleteTextures(1, &texture->name);
+    resources_.textures.erase(handle);
+}
+
+void GlDevice::write(BufferHandle handle, uint64_t offset, std::span<const std::byte> data) {
+    const GlBuffer& buffer = resources_.buffer(handle);
+    RL_CHECK(offset <= buffer.size && data.size() <= buffer.size - offset,
+             "a write goes beyond the end of its buffer");
+    if (data.empty()) return;
+    gl_.NamedBufferSubData(buffer.name, GLintptr(offset), GLsizeiptr(data.size()), data.data());
+}
+
+void GlDevice::write(TextureHandle handle, const TextureRegion& region,
+                     std::span<const std::byte> data) {
+    const GlTexture& texture = resources_.texture(handle);
+    RL_CHECK(data.size() == byteSize(texture.format, region),
+             "a texture write has not the bytes of its region");
+    resources_.write(texture, region, data.data());
+}
+
+void GlDevice::copy(BufferHandle from, BufferHandle to, uint64_t size) {
+    const GlBuffer& source = resources_.buffer(from);
+    const GlBuffer& destination = resources_.buffer(to);
+    RL_CHECK(size <= source.size && size <= destination.size,
+             "a copy goes beyond the end of a buffer");
+    if (size == 0) return;
+    gl_.CopyNamedBufferSubData(source.name, destination.name, 0, 0, GLsizeiptr(size));
+}
+
+void GlDevice::execute(const CommandBuffer& commands, const ExecuteOptions& options,
+                       ExecutionReport& report) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    for (PassExecution& pass : report.passes) {
+        pass.draws = 0;
+        pass.triangles = 0;
+        pass.cpuMs = pass.gpuMs = 0;
+        pass.attachmentHashes.clear();
+    }
+    functions_->calls = 0;
+    state_.resetCount();
+
+    ring_.begin(commands.data());
+    if (const GLuint replaced = ring_.takeReplaced()) forgetBuffer(replaced);
+    state_.invalidate();
+    timers_.beginFrame(options.timers);
+    GlExecutor executor({gl_, state_, resources_, programs_, vertexArrays_, ring_, timers_,
+                         readback_, texelUnits_},
+                        options, report);
+    visitCommands(commands, executor);
+    timers_.endFrame();
+    state_.resetToDefaults();
+    ring_.end();
+    gl_.Flush();
+
+    report.glCalls = functions_->calls;
+    report.stateChanges = state_.changes();
+    report.uploadedBytes = commands.data().size();
+    report.waits = ring_.waits();
+    report.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Device>> createGlDevice(const GlDeviceDesc& desc) {
+    auto functions = std::make_unique<GlFunctions>();
+    if (Result<void> loaded = functions->load(desc.load); !loaded)
+        return tl::unexpected(loaded.error());
+    return std::unique_ptr<Device>(std::make_unique<GlDevice>(std::move(functions), desc));
+}
+
+}  // namespace rushlight

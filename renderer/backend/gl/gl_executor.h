@@ -1,0 +1,84 @@
+#pragma once
+// Plays a frame's commands into GL.
+
+#include "renderer/backend/gl/gl_programs.h"
+#include "renderer/backend/gl/gl_readback.h"
+#include "renderer/backend/gl/gl_resources.h"
+#include "renderer/backend/gl/gl_timers.h"
+#include "renderer/backend/gl/gl_upload_ring.h"
+#include "renderer/backend/gl/gl_vertex_arrays.h"
+
+#include <chrono>
+
+namespace rushlight {
+
+/// One buffer texture a unit; its range is set again only when it changes.
+struct GlTexelUnit {
+    GLuint texture = 0;
+    GLuint buffer = 0;
+    uint64_t offset = 0;
+    uint64_t size = 0;
+    Format format = Format::none;
+};
+using GlTexelUnits = std::array<GlTexelUnit, GlState::kTextureUnits>;
+
+/// What an executor plays with; all outlive it.
+struct GlParts {
+    const GlFunctions& gl;
+    GlState& state;
+    GlResources& resources;
+    GlPrograms& programs;
+    GlVertexArrays& vertexArrays;
+    GlUploadRing& ring;
+    GlTimers& timers;
+    GlReadback& readback;
+    GlTexelUnits& texelUnits;
+};
+
+/// Lives for one frame.
+class GlExecutor {
+public:
+    GlExecutor(const GlParts& parts, const ExecuteOptions& options, ExecutionReport& report)
+        : parts_(parts), gl_(parts.gl), state_(parts.state), options_(options), report_(report) {}
+
+    void operator()(const BeginPass& command);
+    void operator()(const EndPass& command);
+    void operator()(const SetPipeline& command);
+    void operator()(const SetViewport& command);
+    void operator()(const SetScissor& command);
+    void operator()(const SetVertexStream& command);
+    void operator()(const SetIndexStream& command);
+    void operator()(const BindUniforms& command);
+    void operator()(const BindTexelBuffer& command);
+    void operator()(const BindTexture& command);
+    void operator()(const Draw& command);
+    void operator()(const DrawIndexed& command);
+    void operator()(const MultiDrawIndexed& command);
+    void operator()(const Readback& command);
+
+private:
+    struct Source {
+        GLuint buffer = 0;
+        GLintptr offset = 0;
+    };
+    Source resolve(const BufferRange& range) const;
+    void load(const BeginPass& pass, GLuint framebuffer);
+    void clearColor(GLuint framebuffer, uint32_t slot, const ColorAttachment& color);
+    void hashAttachments(const BeginPass& pass, std::vector<uint64_t>& hashes);
+    GLenum prepareDraw();
+    void count(uint32_t draws, uint64_t triangles);
+
+    GlParts parts_;
+    const GlFunctions& gl_;
+    GlState& state_;
+    const ExecuteOptions& options_;
+    ExecutionReport& report_;
+    const BeginPass* pass_ = nullptr;  ///< in the command buffer
+    bool toFrameTarget_ = false;
+    const GlPipeline* pipeline_ = nullptr;
+    GlVertexArrays::Streams streams_{};
+    Source indices_;
+    std::chrono::steady_clock::time_point passStart_;
+};
+
+}  // namespace rushlight

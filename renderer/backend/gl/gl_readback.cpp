@@ -1,0 +1,135 @@
+#include "renderer/backend/gl/gl_readback.h"
+
+#include "engine/core/hash.h"
+#include "renderer/backend/gl/gl_enums.h"
+#include "renderer/backend/validate.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace rushlight {
+namespace {
+
+constexpr GLuint64 kSecond = 1'000'000'000;
+
+void copyOut(const GlFunctions& gl, const GlTexture& texture, uint32_t layer, uint32_t mipLevel,
+             uint64_t size, void* destination) {
+    const GlFormat& format = glFormat(texture.format);
+    setPixelPacking(gl, 1);
+    gl.GetTextureSubImage(texture.name, GLint(mipLevel), 0, 0, GLint(layer),
+                          GLsizei(mipSize(texture.width, mipLevel)),
+                          GLsizei(mipSize(texture.height, mipLevel)), 1, format.external,
+                          format.type, GLsizei(size), destination);
+    setPixelPacking(gl, 4);
+}
+
+void copyOut(const GlFunctions& gl, GlState& state, const FrameTarget& target, void* destination) {
+    state.bindFramebuffer(target.framebuffer);
+    setPixelPacking(gl, 1);
+    gl.ReadPixels(0, 0, GLsizei(target.width), GLsizei(target.height), GL_RGBA, GL_UNSIGNED_BYTE,
+                  destination);
+    setPixelPacking(gl, 4);
+}
+
+}  // namespace
+
+void setPixelPacking(const GlFunctions& gl, GLint alignment) {
+    gl.PixelStorei(GL_PACK_ALIGNMENT, alignment);
+    for (GLenum name : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS,
+                        GL_PACK_IMAGE_HEIGHT, GL_PACK_SKIP_IMAGES, GL_PACK_SWAP_BYTES})
+        gl.PixelStorei(name, 0);
+}
+
+void setPixelUnpacking(const GlFunctions& gl, GLint alignment) {
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, alignment);
+    for (GLenum name : {GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS,
+                        GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES, GL_UNPACK_SWAP_BYTES})
+        gl.PixelStorei(name, 0);
+}
+
+GlReadback::~GlReadback() {
+    for (const Slot& slot : slots_) {
+        if (slot.fence) gl_.DeleteSync(slot.fence);
+        gl_.DeleteBuffers(1, &slot.buffer);
+    }
+}
+
+GlReadback::Slot& GlReadback::open(uint32_t ticket, Format format, uint32_t width,
+                                   uint32_t height) {
+    auto found = std::ranges::find(slots_, false, &Slot::used);
+    if (found == slots_.end()) found = slots_.insert(slots_.end(), Slot{});
+    Slot& slot = *found;
+    slot.ticket = ticket;
+    slot.used = true;
+    slot.format = format;
+    slot.width = width;
+    slot.height = height;
+    if (slot.capacity < size(slot)) {
+        if (slot.buffer) gl_.DeleteBuffers(1, &slot.buffer);
+        slot.capacity = size(slot);
+        gl_.CreateBuffers(1, &slot.buffer);
+        gl_.NamedBufferStorage(slot.buffer, GLsizeiptr(slot.capacity), nullptr,
+                               GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
+        gl_.label(GL_BUFFER, slot.buffer, "readback");
+    }
+    gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, slot.buffer);
+    return slot;
+}
+
+void GlReadback::close(Slot& slot) {
+    gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    slot.fence = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+void GlReadback::copyTexture(uint32_t ticket, const GlTexture& texture, uint32_t layer,
+                             uint32_t mipLevel) {
+    RL_CHECK(layer < texture.layers && mipLevel < texture.mipLevels,
+             "a readback names a mip level or layer that does not exist");
+    Slot& slot = open(ticket, texture.format, mipSize(texture.width, mipLevel),
+                      mipSize(texture.height, mipLevel));
+    copyOut(gl_, texture, layer, mipLevel, size(slot), nullptr);
+    close(slot);
+}
+
+void GlReadback::copyTarget(uint32_t ticket, GlState& state, const FrameTarget& target) {
+    Slot& slot = open(ticket, Format::rgba8, target.width, target.height);
+    copyOut(gl_, state, target, nullptr);
+    close(slot);
+}
+
+bool GlReadback::take(uint32_t ticket, bool wait, ReadbackImage& image) {
+    const auto found = std::ranges::find_if(
+        slots_, [&](const Slot& slot) { return slot.used && slot.ticket == ticket; });
+    if (found == slots_.end()) return false;
+    while (gl_.ClientWaitSync(found->fence, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? kSecond : 0) ==
+           GL_TIMEOUT_EXPIRED)
+        if (!wait) return false;
+    gl_.DeleteSync(found->fence);
+    found->fence = nullptr;
+    found->used = false;
+    image.format = found->format;
+    image.width = found->width;
+    image.height = found->height;
+    image.bytes.resize(size(*found));
+    const void* mapped = gl_.MapNamedBufferRange(found->buffer, 0, GLsizeiptr(size(*found)),
+                                                 GL_MAP_READ_BIT);
+    RL_CHECK(mapped, "the driver cannot map a readback");
+    std::memcpy(image.bytes.data(), mapped, image.bytes.size());
+    gl_.UnmapNamedBuffer(found->buffer);
+    return true;
+}
+
+uint64_t GlReadback::hashTexture(const GlTexture& texture, uint32_t layer, uint32_t mipLevel) {
+    scratch_.resize(size_t(bytesPerTexel(texture.format)) * mipSize(texture.width, mipLevel) *
+                    mipSize(texture.height, mipLevel));
+    copyOut(gl_, texture, layer, mipLevel, scratch_.size(), scratch_.data());
+    return hashBytes(scratch_.data(), scratch_.size());
+}
+
+uint64_t GlReadback::hashTarget(GlState& state, const FrameTarget& target) {
+    scratch_.resize(size_t(target.width) * target.height * bytesPerTexel(Format::rgba8));
+    copyOut(gl_, state, target, scratch_.data());
+    return hashBytes(scratch_.data(), scratch_.size());
+}
+
+}  // namespace rushlight

@@ -1,0 +1,223 @@
+#include "renderer/backend/null/null_device.h"
+
+#include "renderer/backend/validate.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace rushlight {
+namespace {
+
+struct NullTexture {
+    TextureKind kind{};
+    Format format{};
+    uint32_t width = 0, height = 0, layers = 0, mipLevels = 0;
+};
+struct NullBuffer {
+    uint64_t size = 0;
+};
+struct NullPipeline {
+    bool lines = false;
+};
+struct PendingReadback {
+    uint32_t ticket;
+    Format format;
+    uint32_t width, height;
+};
+
+struct NullState {
+    Pool<NullBuffer, BufferTag> buffers;
+    Pool<NullTexture, TextureTag> textures;
+    Pool<SamplerDesc, SamplerTag> samplers;
+    Pool<NullPipeline, PipelineTag> pipelines;
+    std::vector<PendingReadback> readbacks;
+};
+
+/// Walks one frame's commands: checks what they name, and counts.
+class Counter {
+public:
+    Counter(NullState& state, const CommandBuffer& commands, const ExecuteOptions& options,
+            ExecutionReport& report)
+        : state_(state), dataSize_(commands.data().size()), options_(options), report_(report) {}
+
+    void operator()(const BeginPass& c) {
+        ++report_.glCalls;
+        RL_CHECK(!pass_, "a pass begins inside of another");
+        if (report_.passes.size() <= c.passIndex) report_.passes.resize(c.passIndex + 1);
+        pass_ = &report_.passes[c.passIndex];
+        if (!c.toFrameTarget)
+            for (uint32_t i = 0; i < c.colorCount; ++i)
+                if (c.colors[i].texture) checkTexture(c.colors[i].texture);
+        if (!c.toFrameTarget && c.depth.texture) checkTexture(c.depth.texture);
+        const uint32_t depths = c.depth.texture && !c.toFrameTarget ? 1 : 0;
+        if (options_.hashAttachments)
+            pass_->attachmentHashes.assign(c.toFrameTarget ? 1 : c.colorCount + depths, 0);
+    }
+    void operator()(const EndPass&) {
+        ++report_.glCalls;
+        RL_CHECK(pass_, "a pass ends that did not begin");
+        pass_ = nullptr;
+        pipeline_ = nullptr;
+    }
+    void operator()(const SetPipeline& c) {
+        changeState();
+        pipeline_ = state_.pipelines.find(c.pipeline);
+        RL_CHECK(pipeline_, "a command names a pipeline that does not exist");
+    }
+    void operator()(const SetViewport&) { changeState(); }
+    void operator()(const SetScissor&) { changeState(); }
+    void operator()(const SetVertexStream& c) { changeState(), checkRange(c.range); }
+    void operator()(const SetIndexStream& c) { changeState(), checkRange(c.range); }
+    void operator()(const BindUniforms& c) { changeState(), checkRange(c.range); }
+    void operator()(const BindTexelBuffer& c) { changeState(), checkRange(c.range); }
+    void operator()(const BindTexture& c) {
+        changeState();
+        if (c.texture) checkTexture(c.texture);
+        RL_CHECK(!c.sampler || state_.samplers.find(c.sampler),
+                 "a command names a sampler that does not exist");
+    }
+    void operator()(const Draw& c) {
+        count(1, uint64_t(c.vertexCount / 3) * c.instanceCount);
+    }
+    void operator()(const DrawIndexed& c) {
+        count(1, uint64_t(c.command.indexCount / 3) * c.command.instanceCount);
+    }
+    void operator()(const MultiDrawIndexed& c) {
+        checkRange(c.commands);
+        RL_CHECK(c.commands.size >= uint64_t(c.drawCount) * sizeof(DrawIndexedCommand),
+                 "a multi-draw reads beyond its commands");
+        count(c.drawCount, c.triangleCount);
+    }
+    void operator()(const Readback& c) {
+        ++report_.glCalls;
+        if (!c.texture) {
+            state_.readbacks.push_back(
+                {c.ticket, Format::rgba8, options_.target.width, options_.target.height});
+            return;
+        }
+        const NullTexture& texture = checkTexture(c.texture);
+        RL_CHECK(c.mipLevel < texture.mipLevels && c.layer < texture.layers,
+                 "a readback names a mip level or layer that does not exist");
+        state_.readbacks.push_back({c.ticket, texture.format, mipSize(texture.width, c.mipLevel),
+                                    mipSize(texture.height, c.mipLevel)});
+    }
+
+private:
+    void changeState() {
+        ++report_.glCalls;
+        ++report_.stateChanges;
+    }
+    const NullTexture& checkTexture(TextureHandle handle) {
+        const NullTexture* texture = state_.textures.find(handle);
+        RL_CHECK(texture, "a command names a texture that does not exist");
+        return *texture;
+    }
+    void checkRange(const BufferRange& range) {
+        const NullBuffer* buffer = state_.buffers.find(range.buffer);
+        RL_CHECK(!range.buffer || buffer, "a command names a buffer that does not exist");
+        const uint64_t size = buffer ? buffer->size : dataSize_;
+        RL_CHECK(range.offset <= size && range.size <= size - range.offset,
+                 "a command names a range outside of its buffer");
+    }
+    void count(uint32_t draws, uint64_t triangles) {
+        RL_CHECK(pass_ && pipeline_, "a draw needs an open pass and a pipeline");
+        ++report_.glCalls;
+        pass_->draws += draws;
+        pass_->triangles += pipeline_->lines ? 0 : triangles;
+    }
+
+    NullState& state_;
+    uint64_t dataSize_;
+    const ExecuteOptions& options_;
+    ExecutionReport& report_;
+    PassExecution* pass_ = nullptr;
+    const NullPipeline* pipeline_ = nullptr;
+};
+
+class NullDevice final : public Device {
+public:
+    std::string_view name() const override { return "null"; }
+    std::string_view version() const override { return "accepts everything, draws nothing"; }
+
+    Result<BufferHandle> createBuffer(const BufferDesc& desc) override {
+        return validate(desc, {}).map([&] { return state_.buffers.insert({desc.size}); });
+    }
+    Result<TextureHandle> createTexture(const TextureDesc& desc) override {
+        return validate(desc, {}).map([&] {
+            return state_.textures.insert({desc.kind, desc.format, desc.width, desc.height,
+                                           desc.layers, desc.mipLevels});
+        });
+    }
+    SamplerHandle createSampler(const SamplerDesc& desc) override {
+        SamplerHandle equal;
+        state_.samplers.forEach([&](SamplerHandle handle, const SamplerDesc& existing) {
+            if (existing == desc) equal = handle;
+        });
+        return equal ? equal : state_.samplers.insert(desc);
+    }
+    Result<PipelineHandle> createPipeline(const PipelineDesc& desc) override {
+        return validate(desc).map([&] { return state_.pipelines.insert({desc.lines}); });
+    }
+    void destroy(BufferHandle handle) override { state_.buffers.erase(handle); }
+    void destroy(TextureHandle handle) override { state_.textures.erase(handle); }
+
+    void write(BufferHandle handle, uint64_t offset, std::span<const std::byte> data) override {
+        const NullBuffer* buffer = state_.buffers.find(handle);
+        RL_CHECK(buffer, "a write names a buffer that does not exist");
+        RL_CHECK(offset <= buffer->size && data.size() <= buffer->size - offset,
+                 "a write goes beyond the end of its buffer");
+    }
+    void write(TextureHandle handle, const TextureRegion& region,
+               std::span<const std::byte> data) override {
+        const NullTexture* texture = state_.textures.find(handle);
+        RL_CHECK(texture, "a write names a texture that does not exist");
+        RL_CHECK(data.size() == byteSize(texture->format, region),
+                 "a texture write has not the bytes of its region");
+    }
+    void copy(BufferHandle from, BufferHandle to, uint64_t size) override {
+        const NullBuffer* source = state_.buffers.find(from);
+        const NullBuffer* destination = state_.buffers.find(to);
+        RL_CHECK(source && destination, "a copy names a buffer that does not exist");
+        RL_CHECK(size <= source->size && size <= destination->size,
+                 "a copy goes beyond the end of a buffer");
+    }
+    void execute(const CommandBuffer& commands, const ExecuteOptions& options,
+                 ExecutionReport& report) override {
+        using Clock = std::chrono::steady_clock;
+        const auto start = Clock::now();
+        for (PassExecution& pass : report.passes) {
+            pass.draws = 0;
+            pass.triangles = 0;
+            pass.cpuMs = pass.gpuMs = 0;
+            pass.attachmentHashes.clear();
+        }
+        report.glCalls = report.stateChanges = report.waits = 0;
+        report.uploadedBytes = commands.data().size();
+        visitCommands(commands, Counter(state_, commands, options, report));
+        report.cpuMs =
+            std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    }
+    bool takeReadback(uint32_t ticket, bool, ReadbackImage& image) override {
+        const auto found = std::ranges::find(state_.readbacks, ticket, &PendingReadback::ticket);
+        if (found == state_.readbacks.end()) return false;
+        image.format = found->format;
+        image.width = found->width;
+        image.height = found->height;
+        image.bytes.assign(
+            size_t(bytesPerTexel(image.format)) * image.width * image.height, std::byte(0));
+        state_.readbacks.erase(found);
+        return true;
+    }
+    Result<uint32_t> reloadShaders() override { return 0u; }
+    void finish() override {}
+    std::vector<std::string> takeDebugMessages() override { return {}; }
+
+private:
+    NullState state_;
+};
+
+}  // namespace
+
+std::unique_ptr<Device> createNullDevice() { return std::make_unique<NullDevice>(); }
+
+}  // namespace rushlight

@@ -1,0 +1,12 @@
+#pragma once
+// A Device with no GPU: it accepts and counts, so that the frame builder runs and is tested anywhere.
+
+#include "renderer/backend/device.h"
+
+namespace rushlight {
+
+/// Descriptions and handles are checked as the GL device checks them. Readbacks give images of zeroes. Each command
+/// counts as one call; hashes are zero.
+std::unique_ptr<Device> createNullDevice();
+
+}  // namespace rushlight

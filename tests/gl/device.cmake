@@ -1,0 +1,6 @@
+find_library(EGL_LIBRARY EGL REQUIRED)
+
+add_executable(device_test device_gl_test.cpp shaders_gl_test.cpp ../support/test_context.cpp)
+target_link_libraries(device_test PRIVATE
+  rushlight_gl_backend ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
+gtest_discover_tests(device_test)

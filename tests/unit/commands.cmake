@@ -1,0 +1,4 @@
+add_executable(commands_test commands_test.cpp)
+target_link_libraries(commands_test PRIVATE
+  rushlight_null_backend GTest::gtest_main rushlight_options)
+gtest_discover_tests(commands_test)
