@@ -1,0 +1,48 @@
+#pragma once
+// A loaded model as resources of a Renderer and as the spans of a FrameInput. Used on the
+// renderer's thread.
+
+#include "engine/assets/model.h"
+#include "renderer/renderer.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rushlight {
+
+class SceneBridge {
+public:
+    /// Uploads all that the shown scene uses: an image once per use as colour or as data, a mesh
+    /// once per geometry, or per node where it is skinned or morphed. `renderer` and `model` must
+    /// outlive the bridge. What Renderer refuses is an Error.
+    static Result<std::unique_ptr<SceneBridge>> create(Renderer& renderer,
+                                                       const assets::Model& model);
+    ~SceneBridge();  ///< destroys the resources
+
+    /// Moves the scene to `seconds` of an animation (-1: the file's own pose). Where it was before
+    /// becomes the previous transform of what moved. Deformed meshes are computed and sent only
+    /// when something changed.
+    Result<void> pose(int animation, float seconds);
+
+    /// Fills the instances, previous transforms and lights. The spans are good until the next
+    /// pose().
+    void fill(FrameInput& input) const;
+
+    bool hasLights() const;
+    Aabb bounds() const;  ///< of all instances, world space; empty when nothing is shown
+
+    /// The camera of Model::cameras in its pose; nothing when no shown node has it.
+    std::optional<View> cameraView(int camera) const;
+
+    /// What the model has and a frame cannot take, in sentences.
+    const std::vector<std::string>& notes() const;
+
+private:
+    struct State;
+    explicit SceneBridge(std::unique_ptr<State>);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace rushlight

@@ -1,0 +1,76 @@
+#include "renderer/scene_bridge/scene_lights.h"
+
+namespace rushlight {
+namespace {
+
+/// The way the node's -z points; straight down for a node that is scaled to nothing.
+vec3 forwardOf(const mat4& world) {
+    const vec3 z = -vec3(world[2]);
+    const float length = glm::length(z);
+    return length > 0 ? z / length : vec3(0, -1, 0);
+}
+
+PunctualLight punctualOf(const assets::Light& from, const mat4& world) {
+    PunctualLight light;
+    light.position = vec3(world[3]);
+    light.intensity = from.color * from.intensity;
+    light.range = from.range;
+    if (from.type == assets::LightType::spot) {
+        light.direction = forwardOf(world);
+        light.innerConeAngle = from.innerConeAngle;
+        light.outerConeAngle = from.outerConeAngle;
+    }
+    return light;
+}
+
+template <class Light>
+void limit(std::vector<Light>& lights, uint32_t most, const char* kind,
+           std::vector<std::string>& notes) {
+    if (lights.size() <= most) return;
+    notes.push_back("Of " + std::to_string(lights.size()) + " " + kind + " lights the first " +
+                    std::to_string(most) + " shine.");
+    lights.resize(most);
+}
+
+}  // namespace
+
+SceneLights lightsOf(const assets::Model& model, const std::vector<int>& nodes,
+                     const std::vector<mat4>& world, std::vector<std::string>& notes) {
+    SceneLights lights;
+    for (int node : nodes) {
+        const int index = model.nodes[size_t(node)].light;
+        if (index < 0) continue;
+        const assets::Light& from = model.lights[size_t(index)];
+        const mat4& transform = world[size_t(node)];
+        if (from.type != assets::LightType::directional) {
+            lights.punctual.push_back(punctualOf(from, transform));
+            continue;
+        }
+        DirectionalLight light;
+        light.direction = forwardOf(transform);
+        light.illuminance = from.color * from.intensity;
+        lights.directional.push_back(light);
+    }
+    notes.clear();
+    limit(lights.directional, kMaxDirectionalLights, "directional", notes);
+    limit(lights.punctual, kMaxPunctualLights, "point and spot", notes);
+    return lights;
+}
+
+View viewOf(const assets::Camera& camera, const mat4& worldFromNode) {
+    const vec3 back = -forwardOf(worldFromNode);
+    const vec3 right = glm::normalize(glm::cross(vec3(worldFromNode[1]), back));
+    const mat4 worldFromView(vec4(right, 0), vec4(glm::cross(back, right), 0), vec4(back, 0),
+                             worldFromNode[3]);
+    View view;
+    view.viewFromWorld = glm::inverse(worldFromView);
+    view.perspective = camera.perspective;
+    view.verticalFov = camera.verticalFov;
+    view.orthoHalfHeight = camera.orthoHalfHeight;
+    view.aspect = camera.aspect;
+    view.nearPlane = camera.nearPlane;
+    view.farPlane = camera.farPlane;
+    return view;
+}
+
+}  // namespace rushlight
