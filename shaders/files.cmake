@@ -1,4 +1,25 @@
 # Every shader file that is compiled in, by its name in the shader library. One a line.
 set(RUSHLIGHT_SHADER_FILES
+  common/gbuffer.glsl
+  common/lighting.glsl
+  common/lighting_block.glsl
+  common/lighting_varyings.glsl
+  common/material.glsl
+  common/surface_inputs.glsl
   interop/bindings.h
+  interop/brdf.h
+  interop/encode.h
+  interop/frame_uniforms.h
+  interop/interop.h
+  interop/sh.h
+  interop/surface_flags.h
+  interop/tonemap.h
+  passes/background.frag
+  passes/depth.frag
+  passes/depth.vert
+  passes/forward.frag
+  passes/gbuffer.frag
+  passes/lighting.frag
+  passes/lighting.vert
+  passes/surface.vert
 )
