@@ -37,8 +37,9 @@ public:
     Level(const Level&) = delete;
     Level& operator=(const Level&) = delete;
 
-    /// Moves what the file's first animation moves and puts lights back to what the file says.
-    void advanceTo(double seconds);
+    /// Moves what the file's first animation moves, which plays over and over, and puts the lights back to what the
+    /// file says.
+    Result<void> advanceTo(double seconds);
 
     const assets::Model& model() const;
     std::span<const Instance> instances() const;
@@ -47,8 +48,9 @@ public:
     std::span<PunctualLight> punctualLights();
     /// The name of the node that carries a punctual light.
     const std::string& punctualName(size_t index) const;
-    const TriangleGrid& collision() const { return collision_; }
-    const Aabb& bounds() const { return collision_.bounds(); }
+    /// Made when first asked for: only who walks needs it.
+    const TriangleGrid& collision();
+    Aabb bounds() const;
 
     /// World transform of the first node with this name, in the pose of the file.
     std::optional<mat4> nodeNamed(std::string_view name) const;
@@ -62,7 +64,10 @@ private:
     Level();
 
     std::unique_ptr<Scene> scene_;
-    TriangleGrid collision_;
+    std::optional<TriangleGrid> collision_;
 };
+
+/// The shown triangles of a model in the pose of the file, in world space.
+std::vector<CollisionTriangle> collisionTriangles(const assets::Model& model);
 
 }  // namespace rushlight

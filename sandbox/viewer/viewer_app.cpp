@@ -56,7 +56,7 @@ Result<bool> ViewerApp::drawNextFrame() {
     clock_.tick(timeIsInput ? double(frame_) * kScriptFrame : now);
     handleKeys();
     watchFiles();
-    advance();
+    if (auto advanced = advance(); !advanced) return tl::unexpected(advanced.error());
     const FrameInput frame = describeFrame();
     if (auto rendered = render(frame); !rendered) return tl::unexpected(rendered.error());
     previousView_ = frame.view.viewFromWorld;
@@ -120,12 +120,17 @@ void ViewerApp::handleViewKeys() {
     if (view < kViews) settings_.frame.show = ShownImage(view);
 }
 
-void ViewerApp::advance() {
+const TriangleGrid& ViewerApp::ground() {
+    static const TriangleGrid kNothing;
+    return camera_.mode() == CameraMode::walk ? level_->collision() : kNothing;
+}
+
+Result<void> ViewerApp::advance() {
     const auto seconds = float(clock_.delta());
     const bool held = input_->isDown(MouseButton::right) && !ui_->wantsMouse();
     const bool look = isScripted() || windowInput_->isMouseCaptured() || held;
-    camera_.update(*input_, look, level_->collision(), seconds);
-    level_->advanceTo(clock_.elapsed());
+    camera_.update(*input_, look, ground(), seconds);
+    if (auto advanced = level_->advanceTo(clock_.elapsed()); !advanced) return advanced;
     lighting_ = options_.lighting;
     if (game_) {
         const CameraPose pose = camera_.pose();
@@ -134,6 +139,7 @@ void ViewerApp::advance() {
     lighting_.ambientSky *= settings_.ambientScale;
     lighting_.ambientGround *= settings_.ambientScale;
     lighting_.environmentIntensity *= settings_.ambientScale;
+    return {};
 }
 
 void ViewerApp::watchFiles() {

@@ -44,7 +44,8 @@ private:
     void handleMouse();
     void handleEscape();
     void handleViewKeys();
-    void advance();
+    Result<void> advance();
+    const TriangleGrid& ground();  ///< nothing for who flies
     void watchFiles();
     void reloadShaders();
     void reloadLevel();

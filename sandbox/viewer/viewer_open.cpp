@@ -126,8 +126,10 @@ Result<void> ViewerApp::placeCamera() {
         if (toTarget != vec3(0)) eyes.look = LookAngles::along(toTarget);
     }
     if (options_.verticalFov > 0) lens_.verticalFov = options_.verticalFov;
-    const auto ground = level_->collision().castDown(eyes.position, kGroundReach);
-    vec3 feet = eyes.position - vec3(0, ground ? ground->distance : WalkCamera::kEyeHeight, 0);
+    vec3 feet = eyes.position - vec3(0, WalkCamera::kEyeHeight, 0);
+    if (options_.cameraMode == CameraMode::walk)
+        if (const auto hit = level_->collision().castDown(eyes.position, kGroundReach))
+            feet.y = eyes.position.y - hit->distance;
     if (const auto spawn = level_->nodeNamed("spawn")) {
         feet = vec3((*spawn)[3]);
         if (options_.camera.empty() && !options_.eye)
