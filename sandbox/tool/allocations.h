@@ -1,0 +1,10 @@
+#pragma once
+
+#include <cstdint>
+
+namespace rushlight::tool {
+
+/// How often this process has called operator new so far, on any thread.
+uint64_t allocationCount();
+
+}  // namespace rushlight::tool

@@ -1,0 +1,207 @@
+#include "renderer/capture/image_files.h"
+#include "sandbox/tool/command.h"
+#include "sandbox/tool/frame_runner.h"
+#include "sandbox/tool/options.h"
+#include "sandbox/tool/output_names.h"
+
+#include <unistd.h>
+#include <nlohmann/json.hpp>
+
+#include <cinttypes>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace rushlight::tool {
+namespace {
+
+struct CaptureArguments {
+    RenderOptions render;
+    std::string output;
+    std::string pass;
+    bool hashes = false;
+    std::optional<FrameRange> frames;
+    float framesPerSecond = 30;
+    Shard shard;
+};
+
+std::optional<ShownImage> findShownImage(const std::string& name) {
+    for (uint8_t i = 0; i < uint8_t(ShownImage::count); ++i)
+        if (name == toText(ShownImage(i))) return ShownImage(i);
+    return {};
+}
+
+std::string checkPassName(const std::string& name) {
+    if (name == "all" || findShownImage(name)) return {};
+    std::string message = "\"" + name + "\" is no pass; there are all";
+    for (uint8_t i = 0; i < uint8_t(ShownImage::count); ++i)
+        message += std::string(", ") + toText(ShownImage(i));
+    return message;
+}
+
+void printHashes(const FrameReport& report) {
+    for (const PassReport& pass : report.passes)
+        for (size_t i = 0; i < pass.hashes.size() && i < pass.writes.size(); ++i)
+            std::printf("%s %s %016" PRIx64 "\n", pass.name, pass.writes[i], pass.hashes[i]);
+}
+
+class Capture {
+public:
+    Capture(const CaptureArguments& arguments, Session& session)
+        : arguments_(arguments), session_(session) {}
+
+    Result<void> warmUp();
+    Result<void> sequence();
+    Result<void> allPasses();
+    Result<void> single() { return write(input(), arguments_.output); }
+    Result<void> writeStats() const;
+
+private:
+    FrameInput input() const;
+    Result<void> write(const FrameInput&, const std::string& path);
+    Result<CapturedImage> render(const FrameInput&, CaptureKind, bool hashes);
+    void showProgress(uint32_t done, uint32_t count) const;
+
+    const CaptureArguments& arguments_;
+    Session& session_;
+    FrameTimes times_;
+    double firstFrameMs_ = -1;
+};
+
+FrameInput Capture::input() const {
+    FrameInput input = session_.frame();
+    input.settings.deltaTime = 1 / arguments_.framesPerSecond;
+    if (const auto shown = findShownImage(arguments_.pass)) input.settings.show = *shown;
+    return input;
+}
+
+Result<CapturedImage> Capture::render(const FrameInput& frame, CaptureKind kind, bool hashes) {
+    FrameOptions options;
+    options.hashPasses = hashes;
+    auto image = renderFrame(session_, frame, arguments_.render.size, kind, options, times_);
+    if (firstFrameMs_ < 0) firstFrameMs_ = times_.wallMs;
+    return image;
+}
+
+Result<void> Capture::warmUp() {
+    for (uint32_t i = 0; i < arguments_.render.warmup; ++i)
+        if (auto image = render(input(), CaptureKind::display, false); !image)
+            return tl::unexpected(image.error());
+    return {};
+}
+
+Result<void> Capture::write(const FrameInput& frame, const std::string& path) {
+    const auto format = imageFormatOf(path);
+    if (!format) return tl::unexpected(format.error());
+    const CaptureKind kind = *format == ImageFormat::exr ? CaptureKind::hdr : CaptureKind::display;
+    const auto image = render(frame, kind, arguments_.hashes);
+    if (!image) return tl::unexpected(image.error());
+    if (arguments_.hashes) printHashes(session_.renderer().report());
+    return saveImage(path, PictureView(*image));
+}
+
+Result<void> Capture::allPasses() {
+    for (uint8_t i = 0; i < uint8_t(ShownImage::count); ++i) {
+        FrameInput frame = input();
+        frame.settings.show = ShownImage(i);
+        const std::string path = arguments_.output + "/" + toText(ShownImage(i)) + ".png";
+        if (auto written = write(frame, path); !written) return written;
+        showProgress(i + 1u, uint32_t(ShownImage::count));
+    }
+    return {};
+}
+
+Result<void> Capture::sequence() {
+    const auto [first, last] = *arguments_.frames;
+    const uint64_t count = uint64_t(last) - first + 1;
+    const Shard shard = arguments_.shard;
+    const uint64_t begin = first + count * (shard.index - 1) / shard.count;
+    const uint64_t end = first + count * shard.index / shard.count;
+    const auto secondsOf = [&](double frame) {
+        return float(double(arguments_.render.time) + frame / double(arguments_.framesPerSecond));
+    };
+    // Where things were one frame before: the same in the first frame of a shard as in one long
+    // sequence.
+    if (auto posed = session_.setTime(secondsOf(double(begin) - 1)); !posed) return posed;
+    for (uint64_t frame = begin; frame < end; ++frame) {
+        const auto path = frameFileName(arguments_.output, uint32_t(frame));
+        if (!path) return tl::unexpected(path.error());
+        if (auto posed = session_.setTime(secondsOf(double(frame))); !posed) return posed;
+        if (auto written = write(input(), *path); !written) return written;
+        showProgress(uint32_t(frame - begin + 1), uint32_t(end - begin));
+    }
+    return {};
+}
+
+void Capture::showProgress(uint32_t done, uint32_t count) const {
+    if (!isatty(STDERR_FILENO)) return;
+    std::fprintf(stderr, "\rframe %u of %u%s", done, count, done == count ? "\n" : "");
+}
+
+Result<void> Capture::writeStats() const {
+    if (arguments_.render.stats.empty()) return {};
+    return writeJson(arguments_.render.stats,
+                     statsJson(session_, arguments_.render.size, firstFrameMs_,
+                               session_.renderer().report(), times_));
+}
+
+/// What can be known to be wrong before anything is loaded.
+Result<void> checkOutput(const CaptureArguments& arguments) {
+    if (arguments.pass == "all") return {};
+    const std::string& output = arguments.output;
+    if (auto format = imageFormatOf(output); !format) return tl::unexpected(format.error());
+    if (!arguments.frames) return {};
+    if (auto name = frameFileName(output, 0); !name) return tl::unexpected(name.error());
+    return {};
+}
+
+Result<int> capture(const CaptureArguments& arguments) {
+    if (auto checked = checkOutput(arguments); !checked) return tl::unexpected(checked.error());
+    auto session = Session::open(arguments.render, false);
+    if (!session) return tl::unexpected(session.error());
+    Capture capturing(arguments, **session);
+    Result<void> step = capturing.warmUp();
+    if (step && arguments.pass == "all")
+        step = capturing.allPasses();
+    else if (step)
+        step = arguments.frames ? capturing.sequence() : capturing.single();
+    if (step) step = capturing.writeStats();
+    if (!step) return tl::unexpected(step.error());
+    return kSuccess;
+}
+
+}  // namespace
+
+void addCapture(CLI::App& app, Action& action) {
+    auto arguments = std::make_shared<CaptureArguments>();
+    CLI::App* command = app.add_subcommand("capture", "Render a scene offscreen into a picture");
+    addRenderOptions(*command, arguments->render);
+    command
+        ->add_option("-o,--output", arguments->output,
+                     ".png or .jpg (tone mapped), .exr (linear); shot_%04d.png with --frames; a "
+                     "folder with --pass all")
+        ->required();
+    CLI::Option* pass = command->add_option("--pass", arguments->pass,
+                                            "Show the output of this pass instead of the frame; "
+                                            "all writes each");
+    pass->check(CLI::Validator(checkPassName, "NAME"));
+    command->add_flag("--hashes", arguments->hashes,
+                      "Print a `pass attachment hash` line for all that was drawn");
+    CLI::Option* frames = command->add_option_function<std::string>(
+        "--frames", [arguments](const std::string& text) { arguments->frames = parseFrames(text); },
+        "A-B: a sequence of frames");
+    command->add_option("--fps", arguments->framesPerSecond, "Frames a second of the sequence")
+        ->check(CLI::Range(0.01f, 100000.0f))
+        ->capture_default_str()
+        ->needs(frames);
+    command
+        ->add_option_function<std::string>(
+            "--shard",
+            [arguments](const std::string& text) { arguments->shard = parseShard(text); },
+            "I/N: only this part of the sequence")
+        ->needs(frames);
+    command->callback(
+        [&action, arguments] { action = [arguments] { return capture(*arguments); }; });
+}
+
+}  // namespace rushlight::tool

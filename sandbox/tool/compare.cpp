@@ -1,0 +1,96 @@
+#include "renderer/capture/compare.h"
+
+#include "renderer/capture/image_files.h"
+#include "sandbox/tool/command.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace rushlight::tool {
+namespace {
+
+struct CompareArguments {
+    std::string a;
+    std::string b;
+    std::string diff;
+    std::optional<double> maxFlip;
+    std::optional<double> minPsnr;
+    std::optional<double> maxError;
+    float pixelsPerDegree = kDefaultPixelsPerDegree;
+};
+
+/// One line of the report; "ok" or "over" where there is a limit.
+bool printMeasure(const char* name, double value, const char* unit, std::optional<double> limit,
+                  bool limitIsMinimum) {
+    std::printf("%-11s %.6g%s", name, value, unit);
+    const bool passed = !limit || (limitIsMinimum ? value >= *limit : value <= *limit);
+    if (limit)
+        std::printf("  (%s %g: %s)", limitIsMinimum ? "at least" : "at most", *limit,
+                    passed ? "ok" : "failed");
+    std::printf("\n");
+    return passed;
+}
+
+Result<void> saveHeatMap(const std::string& path, const Comparison& comparison) {
+    const std::vector<uint8_t> colors = heatMap(comparison.flipErrors);
+    PictureView view;
+    view.width = comparison.flipErrors.width;
+    view.height = comparison.flipErrors.height;
+    view.rgba8 = colors;
+    return saveImage(path, view);
+}
+
+Result<int> compare(const CompareArguments& arguments) {
+    if (!arguments.diff.empty())
+        if (auto format = imageFormatOf(arguments.diff); !format)
+            return tl::unexpected(format.error());
+    const auto a = loadPicture(arguments.a);
+    if (!a) return tl::unexpected(a.error());
+    const auto b = loadPicture(arguments.b);
+    if (!b) return tl::unexpected(b.error());
+    const auto result = comparePictures(*a, *b, arguments.a, arguments.b,
+                                        {.pixelsPerDegree = arguments.pixelsPerDegree});
+    if (!result) return tl::unexpected(result.error());
+
+    bool passed = printMeasure("flip", result->flip, "", arguments.maxFlip, false);
+    passed &= printMeasure("psnr", result->psnr, " dB", arguments.minPsnr, true);
+    passed &= printMeasure("max error", result->maxError, "", arguments.maxError, false);
+    printMeasure("mean error", result->meanError, "", {}, false);
+    printMeasure("ssim", result->ssim, "", {}, true);
+    if (!arguments.diff.empty())
+        if (auto saved = saveHeatMap(arguments.diff, *result); !saved)
+            return tl::unexpected(saved.error());
+    return passed ? kSuccess : kComparisonFailed;
+}
+
+}  // namespace
+
+void addCompare(CLI::App& app, Action& action) {
+    auto arguments = std::make_shared<CompareArguments>();
+    CLI::App* command = app.add_subcommand(
+        "compare", "How different two pictures are, in numbers and as a picture");
+    command->add_option("A", arguments->a, "The reference: PNG, JPEG, EXR, HDR and others")
+        ->required();
+    command->add_option("B", arguments->b, "The picture to judge, of the same size")->required();
+    command->add_option("--flip", arguments->maxFlip,
+                        "Exit with 1 when the mean FLIP error is over this (0 to 1)");
+    command->add_option("--psnr", arguments->minPsnr,
+                        "Exit with 1 when the PSNR is under this (dB)");
+    command->add_option(
+        "--max-error", arguments->maxError,
+        "Exit with 1 when a value differs by more than this (8 bit pictures: 0 to 1)");
+    command->add_option("--diff", arguments->diff,
+                        "Write the FLIP error of every pixel as a picture");
+    command
+        ->add_option("--pixels-per-degree", arguments->pixelsPerDegree,
+                     "Of the display as the viewer sees it, for FLIP")
+        ->check(CLI::Range(1.0f, 500.0f))
+        ->capture_default_str();
+    command->callback(
+        [&action, arguments] { action = [arguments] { return compare(*arguments); }; });
+}
+
+}  // namespace rushlight::tool

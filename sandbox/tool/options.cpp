@@ -1,0 +1,240 @@
+#include "sandbox/tool/options.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+namespace rushlight::tool {
+namespace {
+
+/// The whole of `text` as a finite number.
+template <class T>
+bool parseNumber(std::string_view text, T& value) {
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+    return !text.empty() && parsed.ec == std::errc() && parsed.ptr == text.data() + text.size() &&
+           std::isfinite(double(value));
+}
+
+[[noreturn]] void refuse(const std::string& text, const char* wanted) {
+    throw CLI::ValidationError("\"" + text + "\" is not " + wanted);
+}
+
+vec3 parseVector(const std::string& text) {
+    vec3 v;
+    std::string_view rest = text;
+    for (int i = 0; i < 3; ++i) {
+        const size_t comma = rest.find(',');
+        if ((i < 2) != (comma != rest.npos) || !parseNumber(rest.substr(0, comma), v[i]))
+            refuse(text, "three numbers with commas between them");
+        if (i < 2) rest.remove_prefix(comma + 1);
+    }
+    return v;
+}
+
+/// "A<separator>B" of unsigned numbers.
+bool parsePair(std::string_view text, char separator, uint32_t& a, uint32_t& b) {
+    const size_t at = text.find(separator);
+    return at != text.npos && parseNumber(text.substr(0, at), a) &&
+           parseNumber(text.substr(at + 1), b);
+}
+
+uvec2 parseSize(const std::string& text) {
+    uvec2 size;
+    if (!parsePair(text, 'x', size.x, size.y) || size.x < 1 || size.y < 1 || size.x > 16384 ||
+        size.y > 16384)
+        refuse(text, "a size as 1280x720, 1 to 16384 pixels a side");
+    return size;
+}
+
+template <class T>
+CLI::Option* addChoice(CLI::App& app, const char* name, T& target,
+                       const std::map<std::string, T>& choices, const char* help) {
+    return app
+        .add_option_function<std::string>(
+            name, [&target, choices](const std::string& text) { target = choices.at(text); }, help)
+        ->check(CLI::IsMember(choices));
+}
+
+void addSwitch(CLI::App& app, const char* name, std::optional<bool>& target, const char* help) {
+    app.add_option_function<std::string>(
+           name, [&target](const std::string& text) { target = text == "on"; }, help)
+        ->check(CLI::IsMember({"on", "off"}));
+}
+
+template <class Target>
+void addVector(CLI::App& app, const char* name, Target& target, const char* help) {
+    app.add_option_function<std::string>(
+        name, [&target](const std::string& text) { target = parseVector(text); }, help);
+}
+
+void addCameraOptions(CLI::App& app, RenderOptions& o) {
+    app.add_option("--camera", o.camera, "A camera of the file, by name or index (the first)");
+    addVector(app, "--eye", o.eye, "x,y,z: look from here instead, with --target");
+    addVector(app, "--target", o.target, "x,y,z: the point to look at");
+    addVector(app, "--up", o.up, "x,y,z: up in the picture (0,1,0)");
+    app.add_option("--fov", o.verticalFov, "Vertical field of view in degrees, with --eye")
+        ->check(CLI::Range(0.1f, 179.0f))
+        ->capture_default_str();
+    app.get_option("--eye")
+        ->needs(app.get_option("--target"))
+        ->excludes(app.get_option("--camera"));
+    app.get_option("--target")->needs(app.get_option("--eye"));
+}
+
+void addLightOptions(CLI::App& app, RenderOptions& o) {
+    app.add_option("--environment", o.environment,
+                   "An equirectangular picture (.hdr, .exr) as light");
+    app.add_option("--environment-rotation", o.environmentRotation, "Degrees about the up axis");
+    app.add_option("--environment-intensity", o.environmentIntensity, "A factor on its light")
+        ->check(CLI::NonNegativeNumber);
+    addVector(app, "--ambient", o.ambient, "r,g,b: light from all around, without an environment");
+    app.add_option_function<std::string>(
+        "--background",
+        [&o](const std::string& text) {
+            o.background = text == "environment"   ? Background::environment
+                           : text == "transparent" ? Background::transparent
+                                                   : Background::color;
+            if (*o.background == Background::color) o.backgroundColor = parseVector(text);
+        },
+        "environment, transparent, or r,g,b in linear radiance");
+}
+
+void addDisplayOptions(CLI::App& app, RenderOptions& o) {
+    CLI::Option* scale =
+        app.add_option("--exposure-scale", o.exposureScale, "A linear factor on radiance")
+            ->check(CLI::NonNegativeNumber)
+            ->capture_default_str();
+    app.add_option_function<std::string>(
+           "--exposure",
+           [&o](const std::string& text) {
+               float value = 0;
+               o.autoExposure = text == "auto";
+               if (o.autoExposure) return;
+               if (!parseNumber(text, value)) refuse(text, "an EV100 value or auto");
+               o.exposureValue = value;
+           },
+           "An EV100 value, or auto")
+        ->excludes(scale);
+    addChoice<ToneMap>(app, "--tonemap", o.toneMap,
+                       {{"none", ToneMap::none},
+                        {"neutral", ToneMap::neutral},
+                        {"agx", ToneMap::agx},
+                        {"aces", ToneMap::aces}},
+                       "How radiance becomes a display's colours (neutral)");
+    app.add_option("--animation", o.animation, "An animation of the file, by name or index");
+    app.add_option("--time", o.time, "The moment of the animation, in seconds")
+        ->needs(app.get_option("--animation"));
+}
+
+void addQualityOptions(CLI::App& app, RenderOptions& o) {
+    addChoice<Quality>(app, "--quality", o.quality,
+                       {{"low", Quality::low},
+                        {"medium", Quality::medium},
+                        {"high", Quality::high},
+                        {"ultra", Quality::ultra}},
+                       "Sets what the switches below do not (high)");
+    addSwitch(app, "--shadows", o.shadows, "Shadows of the sun");
+    addSwitch(app, "--shadow-cache", o.shadowCaching, "Keep shadow maps that nothing changes");
+    app.add_option("--shadow-cascades", o.shadowCascades, "Shadow maps along the view")
+        ->check(CLI::Range(1u, 4u));
+    app.add_option("--shadow-resolution", o.shadowResolution, "Pixels a side of a shadow map")
+        ->check(CLI::Range(64u, 8192u));
+    addSwitch(app, "--bloom", o.bloom, "A glow around bright light");
+    addSwitch(app, "--dither", o.dither, "Dither before 8 bit, against banding");
+    app.add_option_function<std::string>(
+           "--aa",
+           [&o](const std::string& text) {
+               o.antiAliasing = text == "fxaa" ? AntiAliasing::fxaa : AntiAliasing::off;
+           },
+           "Anti-aliasing")
+        ->check(CLI::IsMember({"off", "fxaa"}));
+}
+
+struct QualityLevel {
+    uint32_t cascades;
+    uint32_t shadowResolution;
+    bool bloom;
+    AntiAliasing antiAliasing;
+};
+
+constexpr std::array<QualityLevel, 4> kQualityLevels = {{
+    {1, 1024, false, AntiAliasing::off},
+    {2, 1024, true, AntiAliasing::fxaa},
+    {4, 2048, true, AntiAliasing::fxaa},
+    {4, 4096, true, AntiAliasing::fxaa},
+}};
+
+}  // namespace
+
+void addRenderOptions(CLI::App& app, RenderOptions& o) {
+    app.add_option("SCENE", o.scene, "A .gltf or .glb file")->required();
+    app.add_option_function<std::string>(
+        "--size", [&o](const std::string& text) { o.size = parseSize(text); },
+        "Pixels, WxH (1280x720)");
+    addChoice<ContextChoice>(app, "--context", o.context,
+                             {{"auto", ContextChoice::automatic},
+                              {"egl", ContextChoice::egl},
+                              {"osmesa", ContextChoice::osmesa},
+                              {"window", ContextChoice::window}},
+                             "How to get OpenGL (auto)");
+    app.add_option("--threads", o.threads, "Threads that build a frame; 0: one a core")
+        ->check(CLI::Range(0u, 256u));
+    app.add_option("--warmup", o.warmup, "Frames to render before the first that counts")
+        ->check(CLI::Range(0u, 100000u));
+    app.add_flag("--strict", o.strict, "What is approximated or unsupported is an error");
+    app.add_option("--stats", o.stats, "Write the numbers of the last frame as JSON");
+    addCameraOptions(app, o);
+    addLightOptions(app, o);
+    addDisplayOptions(app, o);
+    addQualityOptions(app, o);
+}
+
+FrameSettings settingsFrom(const RenderOptions& o) {
+    const QualityLevel& level = kQualityLevels[size_t(o.quality)];
+    FrameSettings settings;
+    settings.shadows = o.shadows.value_or(true);
+    settings.shadowCaching = o.shadowCaching.value_or(true);
+    settings.shadowCascades = o.shadowCascades.value_or(level.cascades);
+    settings.shadowResolution = o.shadowResolution.value_or(level.shadowResolution);
+    settings.bloom = o.bloom.value_or(level.bloom);
+    settings.antiAliasing = o.antiAliasing.value_or(level.antiAliasing);
+    settings.dither = o.dither.value_or(true);
+    settings.exposureScale = o.exposureScale;
+    settings.useExposureValue = o.exposureValue.has_value();
+    settings.exposureValue = o.exposureValue.value_or(0);
+    settings.autoExposure = o.autoExposure;
+    settings.toneMap = o.toneMap;
+    return settings;
+}
+
+FrameRange parseFrames(const std::string& text) {
+    FrameRange range;
+    if (!parsePair(text, '-', range.first, range.last) || range.first > range.last)
+        refuse(text, "a range of frames as 0-119");
+    return range;
+}
+
+Shard parseShard(const std::string& text) {
+    Shard shard;
+    if (!parsePair(text, '/', shard.index, shard.count) || shard.index < 1 ||
+        shard.index > shard.count)
+        refuse(text, "a part of a sequence as 1/4");
+    return shard;
+}
+
+Result<int> findNamed(const std::string& scene, const char* kind, const std::string& wanted,
+                      const std::vector<std::string>& names) {
+    for (size_t i = 0; i < names.size(); ++i)
+        if (names[i] == wanted) return int(i);
+    uint32_t index = 0;
+    if (parseNumber(std::string_view(wanted), index) && index < names.size()) return int(index);
+    std::string message = std::string("There is no ") + kind + " \"" + wanted + "\"; ";
+    if (names.empty()) return fail(scene, message + "the file has none.");
+    message += "the file has " + std::to_string(names.size()) + ", 0 to " +
+               std::to_string(names.size() - 1) + ":";
+    for (size_t i = 0; i < names.size() && i < 8; ++i) message += " \"" + names[i] + "\"";
+    return fail(scene, message + (names.size() > 8 ? " ..." : "."));
+}
+
+}  // namespace rushlight::tool

@@ -1,0 +1,82 @@
+#pragma once
+// The options that all rendering subcommands share, read once.
+
+#include "engine/core/result.h"
+#include "renderer/context/context.h"
+#include "renderer/frame/frame_input.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+namespace rushlight::tool {
+
+enum class Quality : uint8_t { low, medium, high, ultra };
+
+struct FrameRange {
+    uint32_t first = 0;
+    uint32_t last = 0;
+};
+
+struct Shard {
+    uint32_t index = 1;  ///< from 1
+    uint32_t count = 1;
+};
+
+struct RenderOptions {
+    std::string scene;
+    uvec2 size{1280, 720};
+    ContextChoice context = ContextChoice::automatic;
+    uint32_t threads = 0;  ///< 0: one a core
+
+    std::string camera;  ///< name or index; empty: the first
+    std::optional<vec3> eye;
+    std::optional<vec3> target;
+    vec3 up{0, 1, 0};
+    float verticalFov = 45;  ///< degrees
+
+    std::string environment;
+    float environmentRotation = 0;  ///< degrees
+    float environmentIntensity = 1;
+    std::optional<vec3> ambient;
+    std::optional<Background> background;
+    vec3 backgroundColor{0};
+
+    float exposureScale = 1;
+    std::optional<float> exposureValue;
+    bool autoExposure = false;
+    ToneMap toneMap = ToneMap::neutral;
+
+    std::string animation;  ///< name or index; empty: none
+    float time = 0;
+
+    Quality quality = Quality::high;
+    std::optional<bool> shadows;
+    std::optional<bool> shadowCaching;
+    std::optional<uint32_t> shadowCascades;
+    std::optional<uint32_t> shadowResolution;
+    std::optional<bool> bloom;
+    std::optional<bool> dither;
+    std::optional<AntiAliasing> antiAliasing;
+
+    uint32_t warmup = 0;
+    bool strict = false;
+    std::string stats;
+};
+
+void addRenderOptions(CLI::App& command, RenderOptions& options);
+
+/// The quality level's settings with the single switches over them.
+FrameSettings settingsFrom(const RenderOptions& options);
+
+/// "A-B" with A <= B, and "I/N" with 1 <= I <= N; throw CLI::ValidationError.
+FrameRange parseFrames(const std::string& text);
+Shard parseShard(const std::string& text);
+
+/// The position of a name, or of a number in range, in `names`. ErrorKind::badInput with what there
+/// is.
+Result<int> findNamed(const std::string& scene, const char* kind, const std::string& wanted,
+                      const std::vector<std::string>& names);
+
+}  // namespace rushlight::tool

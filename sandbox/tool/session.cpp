@@ -1,0 +1,193 @@
+#include "sandbox/tool/session.h"
+
+#include "engine/assets/gltf.h"
+#include "engine/jobs/tbb_jobs.h"
+#include "renderer/capture/image_files.h"
+#include "sandbox/tool/command.h"
+
+#include <chrono>
+#include <cmath>
+
+namespace rushlight::tool {
+namespace {
+
+template <class Named>
+std::vector<std::string> namesOf(const std::vector<Named>& objects) {
+    std::vector<std::string> names;
+    for (const Named& object : objects) names.push_back(object.name);
+    return names;
+}
+
+mat4 lookAt(const vec3& eye, const vec3& target, const vec3& up) {
+    const vec3 forward = glm::normalize(target - eye);
+    const bool parallel = glm::length(glm::cross(forward, up)) < 1e-6f * glm::length(up);
+    return glm::lookAt(eye, target, parallel ? vec3(0, 0, 1) : up);
+}
+
+void logToStandardError(void*, LogLevel level, std::string_view message) {
+    if (level >= LogLevel::warning) printWarning(std::string(message));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Session>> Session::open(const RenderOptions& options,
+                                               bool pinRasterThreads) {
+    const auto start = std::chrono::steady_clock::now();
+    std::unique_ptr<Session> session(new Session(options));
+    session->jobs_ = createTbbJobs(options.threads);
+    Result<void> step = session->loadScene();
+    if (step) step = session->startRenderer(pinRasterThreads);
+    if (step) step = session->loadEnvironment();
+    if (step) step = session->chooseCamera();
+    if (!step) return tl::unexpected(step.error());
+    session->chooseLights();
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    session->loadMs_ = elapsed.count();
+    return session;
+}
+
+Session::~Session() {
+    if (renderer_ && environment_) renderer_->destroy(environment_);
+}
+
+Result<void> Session::loadScene() {
+    assets::LoadOptions load;
+    load.jobs = jobs_.get();
+    load.strict = options_.strict;
+    auto model = assets::loadModel(options_.scene, load);
+    if (!model) return tl::unexpected(model.error());
+    model_ = std::move(*model);
+    for (const std::string& warning : model_.warnings) printWarning(warning);
+    if (options_.animation.empty()) return {};
+    const auto found =
+        findNamed(options_.scene, "animation", options_.animation, namesOf(model_.animations));
+    if (!found) return tl::unexpected(found.error());
+    animation_ = *found;
+    return {};
+}
+
+Result<void> Session::startRenderer(bool pinRasterThreads) {
+    auto context = createOffscreenContext(options_.context, {.pinRasterThreads = pinRasterThreads});
+    if (!context) return tl::unexpected(context.error());
+    context_ = std::move(*context);
+    RendererDesc desc;
+    desc.loadGl = context_->loader();
+    desc.jobs = jobs_.get();
+    desc.log.write = logToStandardError;
+    auto renderer = Renderer::create(desc);
+    if (!renderer) return tl::unexpected(renderer.error());
+    renderer_ = std::move(*renderer);
+    auto bridge = SceneBridge::create(*renderer_, model_);
+    if (!bridge) return tl::unexpected(bridge.error());
+    bridge_ = std::move(*bridge);
+    auto& unsupported = model_.fidelity.unsupported;
+    unsupported.insert(unsupported.end(), bridge_->notes().begin(), bridge_->notes().end());
+    return setTime(options_.time);
+}
+
+Result<void> Session::loadEnvironment() {
+    if (options_.environment.empty()) {
+        if (options_.background != Background::environment) return {};
+        return fail("--background environment",
+                    "There is no environment; name one with --environment.", ErrorKind::wrongUse);
+    }
+    const auto picture = loadPicture(options_.environment);
+    if (!picture) return tl::unexpected(picture.error());
+    if (!picture->linear)
+        return fail(options_.environment,
+                    "An environment is linear radiance in floats; use a .hdr or .exr file.");
+    std::vector<vec3> pixels(picture->pixelCount());
+    for (size_t i = 0; i < pixels.size(); ++i)
+        pixels[i] = {picture->rgba[i * 4], picture->rgba[i * 4 + 1], picture->rgba[i * 4 + 2]};
+    EnvironmentDesc desc;
+    desc.label = options_.environment;
+    desc.width = picture->width;
+    desc.height = picture->height;
+    desc.pixels = pixels;
+    const auto created = renderer_->createEnvironment(desc);
+    if (!created) return tl::unexpected(created.error());
+    environment_ = *created;
+    return {};
+}
+
+/// The whole scene in the picture, seen from the front and a little from above.
+View Session::viewThatFrames(const Aabb& bounds) const {
+    const vec3 center = bounds.isEmpty() ? vec3(0) : bounds.center();
+    const float radius =
+        bounds.isEmpty() ? 1.0f : std::max(glm::length(bounds.halfExtent()), 1e-4f);
+    const float aspect = float(options_.size.x) / float(options_.size.y);
+    const float halfVertical = glm::radians(options_.verticalFov) / 2;
+    const float half = std::min(halfVertical, std::atan(std::tan(halfVertical) * aspect));
+    const float distance = radius / std::sin(half);
+    View view;
+    view.viewFromWorld =
+        lookAt(center + distance * glm::normalize(vec3(0.35f, 0.3f, 1)), center, {0, 1, 0});
+    view.nearPlane = std::max(distance - 2 * radius, distance * 0.01f);
+    return view;
+}
+
+Result<void> Session::chooseCamera() {
+    if (!options_.camera.empty()) {
+        const auto found =
+            findNamed(options_.scene, "camera", options_.camera, namesOf(model_.cameras));
+        if (!found) return tl::unexpected(found.error());
+        if (!bridge_->cameraView(*found))
+            return fail(options_.scene,
+                        "No node of the shown scene has the camera \"" + options_.camera + "\".");
+        camera_ = *found;
+        return {};
+    }
+    const Aabb bounds = bridge_->bounds();
+    view_ = viewThatFrames(bounds);
+    if (options_.eye) {
+        const float distance = glm::length(*options_.target - *options_.eye);
+        if (!(distance > 0) || glm::length(options_.up) == 0)
+            return fail("--eye", "It is the same point as --target, or --up is zero.",
+                        ErrorKind::wrongUse);
+        view_.viewFromWorld = lookAt(*options_.eye, *options_.target, options_.up);
+        const float size = bounds.isEmpty() ? distance : glm::length(bounds.halfExtent());
+        view_.nearPlane = std::clamp(std::min(distance, size) * 0.01f, 1e-4f, 0.1f);
+    } else {
+        for (int camera = 0; camera_ < 0 && camera < int(model_.cameras.size()); ++camera)
+            if (bridge_->cameraView(camera)) camera_ = camera;
+    }
+    view_.verticalFov = glm::radians(options_.verticalFov);
+    return {};
+}
+
+void Session::chooseLights() {
+    if (bridge_->hasLights() || environment_ || options_.ambient) return;
+    defaultLights_ = true;
+    const mat4 worldFromView = glm::inverse(frame().view.viewFromWorld);
+    defaultSun_.direction = glm::normalize(mat3(worldFromView) * vec3(-0.3f, -0.6f, -1));
+    defaultSun_.illuminance = vec3(3);
+    model_.fidelity.approximated.push_back(
+        "lighting: the file has no lights and no environment was given; a sun from behind the "
+        "camera and ambient light are used.");
+}
+
+Result<void> Session::setTime(float seconds) { return bridge_->pose(animation_, seconds); }
+
+FrameInput Session::frame() const {
+    FrameInput input;
+    bridge_->fill(input);
+    input.view = camera_ >= 0 ? *bridge_->cameraView(camera_) : view_;
+    input.settings = settingsFrom(options_);
+    Lighting& lighting = input.lighting;
+    lighting.environment = environment_;
+    lighting.environmentRotation = glm::radians(options_.environmentRotation);
+    lighting.environmentIntensity = options_.environmentIntensity;
+    lighting.background =
+        options_.background.value_or(environment_ ? Background::environment : Background::color);
+    lighting.backgroundColor = options_.backgroundColor;
+    lighting.ambientSky = lighting.ambientGround = options_.ambient.value_or(vec3(0));
+    if (defaultLights_) {
+        lighting.directional = {&defaultSun_, 1};
+        lighting.ambientSky = vec3(0.3f);
+        lighting.ambientGround = vec3(0.15f);
+    }
+    return input;
+}
+
+}  // namespace rushlight::tool

@@ -1,0 +1,57 @@
+#pragma once
+// A scene, loaded and ready to be rendered as the options say.
+
+#include "engine/assets/model.h"
+#include "renderer/renderer.h"
+#include "renderer/scene_bridge/scene_bridge.h"
+#include "sandbox/tool/options.h"
+
+#include <memory>
+
+namespace rushlight::tool {
+
+class Session {
+public:
+    static Result<std::unique_ptr<Session>> open(const RenderOptions& options,
+                                                 bool pinRasterThreads);
+    ~Session();
+
+    /// Moves the animation that --animation names; without one nothing moves.
+    Result<void> setTime(float seconds);
+
+    /// The frame as the options ask for it. Its spans are good until the next setTime.
+    FrameInput frame() const;
+
+    Renderer& renderer() { return *renderer_; }
+    ContextKind contextKind() const { return context_->kind(); }
+    uint32_t threads() const { return jobs_->concurrency(); }
+    double loadMs() const { return loadMs_; }
+    const assets::Fidelity& fidelity() const { return model_.fidelity; }
+
+private:
+    explicit Session(const RenderOptions& options) : options_(options) {}
+    Result<void> loadScene();
+    Result<void> startRenderer(bool pinRasterThreads);
+    Result<void> loadEnvironment();
+    Result<void> chooseCamera();
+    void chooseLights();
+    View viewThatFrames(const Aabb& bounds) const;
+
+    // Destroyed from the last to the first: the resources before the renderer, and it before its
+    // context.
+    RenderOptions options_;
+    assets::Model model_;
+    std::unique_ptr<JobSystem> jobs_;
+    std::unique_ptr<Context> context_;
+    std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<SceneBridge> bridge_;
+    EnvironmentHandle environment_;
+    int animation_ = -1;
+    int camera_ = -1;  ///< -1: `view_`
+    View view_;
+    bool defaultLights_ = false;
+    DirectionalLight defaultSun_;
+    double loadMs_ = 0;
+};
+
+}  // namespace rushlight::tool
