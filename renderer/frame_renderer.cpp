@@ -39,6 +39,13 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       shadowPass_(device),
       lightingPass_(device),
       forwardPass_(device),
+      bloomPass_(device),
+      exposurePass_(device),
+      tonemapPass_(device),
+      fxaaPass_(device),
+      debugViewPass_(device),
+      boundsPass_(device),
+      overlayPass_(device),
       shadowSampler_(clampingSampler(device, false, true)),
       cubeSampler_(clampingSampler(device, true, false)),
       linearSampler_(clampingSampler(device, false, false)) {}
@@ -58,6 +65,8 @@ Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& o
     if (auto ok = planPasses(input, output, *camera); !ok) return ok;
     if (auto ok = plan_.compile(); !ok) return ok;
     plan_.record(jobs_, commands_);
+    if (output.offscreen)
+        commands_.push(Readback{plan_.texture(capturedImage_), 0, 0, output.ticket});
     report_.cpuBuildMs = millisecondsSince(start);
 
     ExecuteOptions execute;
@@ -142,13 +151,18 @@ void FrameRenderer::gatherViews(const FrameInput& input, const CameraMatrices& c
     });
 }
 
+Aabb FrameRenderer::sceneBounds() const {
+    Aabb bounds;
+    for (const ResolvedInstance& r : resolved_)
+        if (r.mesh) bounds.grow(Aabb{r.center - r.halfExtent, r.center + r.halfExtent});
+    return bounds;
+}
+
 void FrameRenderer::planShadows(const FrameInput& input, const CameraMatrices& camera) {
     sun_ = input.settings.shadows ? findSun(input.lighting) : -1;
     cascades_.count = 0;
     if (sun_ < 0) return;
-    Aabb bounds;
-    for (const ResolvedInstance& r : resolved_)
-        if (r.mesh) bounds.grow(Aabb{r.center - r.halfExtent, r.center + r.halfExtent});
+    const Aabb bounds = sceneBounds();
     if (bounds.isEmpty()) return;
     ShadowCascadeDesc desc;
     desc.lightDirection = input.lighting.directional[size_t(sun_)].direction;
@@ -233,8 +247,94 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
     auto forward = forwardPass_.add(plan_, forwardInputs);
     if (!forward) return tl::unexpected(forward.error());
 
-    plan_.requestImage(forward->radiance);
-    return {};
+    if (output.hdr) {
+        capturedImage_ = forward->radiance;
+        plan_.requestImage(capturedImage_);
+        return {};
+    }
+    FinalTarget target{{}, width, height, output.target.topRowFirst};
+    if (output.offscreen) {
+        target.image = plan_.createImage({"frame", Format::rgba8, width, height});
+        capturedImage_ = target.image;
+        plan_.requestImage(capturedImage_);
+    }
+    const ShownImage show = input.settings.show;
+    Result<void> planned =
+        DebugViewPass::shows(show)
+            ? planDebugView(input, target, camera, *gbuffer, *lighting)
+            : planDisplay(input, target,
+                          show == ShownImage::lighting ? lit->radiance : forward->radiance);
+    if (!planned) return planned;
+    if (show == ShownImage::bounds) {
+        planned = boundsPass_.add(plan_, {{&opaque_, &blended_}, resolved_, viewUniforms, target,
+                                          &commands_});
+        if (!planned) return planned;
+    }
+    return overlayPass_.add(
+        plan_, {&input.overlay, textures.find(input.overlay.image), target, &commands_});
+}
+
+Result<void> FrameRenderer::planDisplay(const FrameInput& input, const FinalTarget& target,
+                                        ImageId radiance) {
+    const FrameSettings& settings = input.settings;
+    const bool transparent = input.lighting.background == Background::transparent;
+    const bool fxaa = settings.antiAliasing == AntiAliasing::fxaa &&
+                      settings.show != ShownImage::tonemap;
+    TonemapPass::Inputs tonemap;
+    tonemap.radiance = radiance;
+    tonemap.settings = &settings;
+    tonemap.transparent = transparent;
+    tonemap.lumaInAlpha = fxaa && !transparent;
+    tonemap.target = target;
+    tonemap.data = &commands_;
+    if (settings.bloom || settings.autoExposure || settings.show == ShownImage::bloom) {
+        const auto bloom =
+            bloomPass_.add(plan_, {radiance, &commands_, target.width, target.height});
+        if (!bloom) return tl::unexpected(bloom.error());
+        if (settings.show == ShownImage::bloom) tonemap.radiance = bloom->bloom;
+        else if (settings.bloom) tonemap.bloom = bloom->bloom;
+        if (settings.autoExposure) {
+            const auto exposure =
+                exposurePass_.add(plan_, {bloom->smallest, bloom->smallestWidth,
+                                          bloom->smallestHeight, &commands_, settings.deltaTime});
+            if (!exposure) return tl::unexpected(exposure.error());
+            tonemap.exposure = exposure->exposure;
+        }
+    }
+    if (!fxaa) return tonemapPass_.add(plan_, tonemap);
+    tonemap.target = {plan_.createImage({"display", Format::rgba8, target.width, target.height}),
+                      target.width, target.height, false};
+    if (auto ok = tonemapPass_.add(plan_, tonemap); !ok) return ok;
+    return fxaaPass_.add(plan_,
+                         {tonemap.target.image, tonemap.lumaInAlpha, target, &commands_});
+}
+
+Result<void> FrameRenderer::planDebugView(const FrameInput& input, const FinalTarget& target,
+                                          const CameraMatrices& camera,
+                                          const GBufferPass::Outputs& gbuffer,
+                                          const LightingBindings& lighting) {
+    DebugViewPass::Inputs in;
+    in.show = input.settings.show;
+    in.gbuffer = gbuffer;
+    in.shadowMap = lighting.shadowMap;
+    in.shadowCascades = cascades_.count;
+    in.clusters = lighting.clusters;
+    in.clusterMapping = {clusters_.sliceScale, clusters_.sliceBias, float(clusters_.tilesX),
+                         float(clusters_.tilesX * clusters_.tilesY)};
+    in.clusterCounts = {float(clusters_.tilesX), float(clusters_.tilesY),
+                        float(LightClusters::kSlices), 0};
+    in.depthDecode = camera.depthDecode;
+    in.orthographic = !camera.perspective;
+    in.nearestDepth = camera.nearPlane;
+    const Aabb bounds = sceneBounds();
+    if (!bounds.isEmpty())
+        in.farthestDepth =
+            std::max(glm::dot(bounds.center() - camera.position, camera.forward) +
+                         glm::dot(glm::abs(camera.forward), bounds.halfExtent()),
+                     camera.nearPlane * 2);
+    in.target = target;
+    in.data = &commands_;
+    return debugViewPass_.add(plan_, in);
 }
 
 void FrameRenderer::fillReport(const FrameInput& input) {

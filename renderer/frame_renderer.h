@@ -8,10 +8,17 @@
 #include "renderer/frame/frame_plan.h"
 #include "renderer/frame/light_clusters.h"
 #include "renderer/frame/shadow_cascades.h"
+#include "renderer/passes/bloom_pass.h"
+#include "renderer/passes/bounds_pass.h"
+#include "renderer/passes/debug_view_pass.h"
+#include "renderer/passes/exposure_pass.h"
 #include "renderer/passes/forward_pass.h"
+#include "renderer/passes/fxaa_pass.h"
 #include "renderer/passes/gbuffer_pass.h"
 #include "renderer/passes/lighting_pass.h"
+#include "renderer/passes/overlay_pass.h"
 #include "renderer/passes/shadow_pass.h"
+#include "renderer/passes/tonemap_pass.h"
 #include "renderer/renderer.h"
 
 #include <array>
@@ -45,10 +52,15 @@ private:
     Result<void> checkInput(const FrameInput&, const FrameOutput&) const;
     Result<void> prepareResources();
     void gatherViews(const FrameInput&, const CameraMatrices&);
+    Aabb sceneBounds() const;
     void planShadows(const FrameInput&, const CameraMatrices&);
     Result<void> planPasses(const FrameInput&, const FrameOutput&, const CameraMatrices&);
     Result<LightingBindings> bindLighting(const FrameInput&, const CameraMatrices&,
                                           const FrameOutput&);
+    /// From linear radiance to the final target.
+    Result<void> planDisplay(const FrameInput&, const FinalTarget&, ImageId radiance);
+    Result<void> planDebugView(const FrameInput&, const FinalTarget&, const CameraMatrices&,
+                               const GBufferPass::Outputs&, const LightingBindings&);
     void fillReport(const FrameInput&);
     template <class T>
     BufferRange uniforms(const T& value) {
@@ -63,6 +75,13 @@ private:
     ShadowPass shadowPass_;
     LightingPass lightingPass_;
     ForwardPass forwardPass_;
+    BloomPass bloomPass_;
+    ExposurePass exposurePass_;
+    TonemapPass tonemapPass_;
+    FxaaPass fxaaPass_;
+    DebugViewPass debugViewPass_;
+    BoundsPass boundsPass_;
+    OverlayPass overlayPass_;
     SamplerHandle shadowSampler_, cubeSampler_, linearSampler_;
 
     CommandBuffer commands_;
@@ -77,6 +96,7 @@ private:
     int sun_ = -1;
     bool warnedRejected_ = false;
     ShadowPass::Outputs shadows_;
+    ImageId capturedImage_;
     uint64_t frameNumber_ = 0;
 };
 

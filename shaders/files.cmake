@@ -1,5 +1,7 @@
 # Every shader file that is compiled in, by its name in the shader library. One a line.
 set(RUSHLIGHT_SHADER_FILES
+  common/fullscreen.glsl
+  common/fullscreen.vert
   common/gbuffer.glsl
   common/lighting.glsl
   common/lighting_block.glsl
@@ -14,12 +16,24 @@ set(RUSHLIGHT_SHADER_FILES
   interop/sh.h
   interop/surface_flags.h
   interop/tonemap.h
+  interop/uniforms.h
   passes/background.frag
+  passes/bloom_downsample.frag
+  passes/bloom_upsample.frag
+  passes/bounds.frag
+  passes/bounds.vert
+  passes/debug_view.frag
   passes/depth.frag
   passes/depth.vert
+  passes/exposure.frag
   passes/forward.frag
+  passes/fxaa.frag
   passes/gbuffer.frag
   passes/lighting.frag
   passes/lighting.vert
+  passes/luminance.frag
+  passes/overlay.frag
+  passes/overlay.vert
   passes/surface.vert
+  passes/tonemap.frag
 )

@@ -160,9 +160,10 @@ void checkFits(const std::string& what, const GltfDocument& document, int view, 
         refuse(what + ": it begins at byte " + std::to_string(offset) + " of a view at byte " +
                std::to_string(bufferView.byteOffset) + ", which is not a multiple of its " +
                std::to_string(componentSize) + "-byte components.");
-    const size_t packed = layout.columnStride * (size_t(layout.components) / layout.columnRows);
+    const size_t columns = size_t(layout.components) / layout.columnRows;
+    const size_t last = layout.columnStride * (columns - 1) + layout.columnRows * componentSize;
     const uint64_t needed =
-        offset + uint64_t(layout.stride) * (uint64_t(layout.count) - 1) + packed;
+        offset + uint64_t(layout.stride) * (uint64_t(layout.count) - 1) + last;
     if (needed > bufferView.byteLength)
         refuse(what + ": it needs " + std::to_string(needed) + " bytes of buffer view " +
                std::to_string(view) + ", which has " + std::to_string(bufferView.byteLength) + ".");
@@ -226,6 +227,7 @@ void AccessorReader::checkSparse(size_t index) const {
 /// Exporters round what they declare, and bounds are computed here anyway: only strict loading insists.
 void AccessorReader::checkRange(size_t index) const {
     const tinygltf::Accessor& accessor = document_.gltf.accessors[index];
+    if (accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT) floats(int(index));  // finite
     if (accessor.minValues.empty() && accessor.maxValues.empty()) return;
     const size_t components = size_t(componentCount(accessor));
     const bool exact = accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;

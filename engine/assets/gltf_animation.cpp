@@ -32,6 +32,12 @@ bool isAllowedOutput(const tinygltf::Accessor& accessor, AnimationPath path) {
            (path == AnimationPath::weights || path == AnimationPath::rotation);
 }
 
+/// The fourth row of an inverse bind matrix must be 0 0 0 1 (glTF 2.0, section 3.7.3.1), up to rounding.
+bool isAffine(const mat4& m) {
+    const vec4 row(m[0].w, m[1].w, m[2].w, m[3].w);
+    return glm::all(glm::lessThan(glm::abs(row - vec4(0, 0, 0, 1)), vec4(1e-4f)));
+}
+
 int largestJoint(const Geometry& geometry) {
     int largest = -1;
     for (const VertexSkin& vertex : geometry.skin)
@@ -61,6 +67,10 @@ void GltfBuilder::buildSkins() {
             for (size_t j = 0; j < skin.joints.size(); ++j)
                 for (int i = 0; i < 16; ++i)
                     skin.inverseBindMatrices[j][i / 4][i % 4] = flat[j * 16 + size_t(i)];
+            for (size_t j = 0; j < skin.joints.size(); ++j)
+                if (accessor.bufferView >= 0 && !isAffine(skin.inverseBindMatrices[j]))
+                    refuse(what + ": the fourth row of inverse bind matrix " + std::to_string(j) +
+                           " is not 0 0 0 1.");
         }
         model_.skins.push_back(std::move(skin));
     }

@@ -85,6 +85,8 @@ void GltfBuilder::checkAttribute(const std::string& semantic, int accessor, size
     if (source.count != vertexCount)
         refuse(name + " has " + std::to_string(source.count) + " elements but POSITION has " +
                std::to_string(vertexCount) + ".");
+    if (source.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
+        refuse(name + " has 32-bit integers, which only indices may have.");
     if (!semantic.empty() && semantic[0] == '_') return;  // an application's own
     const Rule* rule = isTarget ? findRule(kTargetRules, semantic) : findRule(kRules, semantic);
     if (!rule) refuse(name + " is none that glTF 2.0 knows.");
@@ -117,10 +119,34 @@ void GltfBuilder::checkIndices(const tinygltf::Primitive& source, const std::str
                std::to_string(accessor.componentType) + ").");
     if (accessor.bufferView >= 0 && gltf_.bufferViews[size_t(accessor.bufferView)].byteStride != 0)
         refuse(what + ": the buffer view of its indices has a byteStride.");
+    const size_t vertexCount = reader_.count(source.attributes.at("POSITION"));
+    const uint32_t restart = accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ? 0xff
+                             : accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
+                                 ? 0xffff
+                                 : 0xffffffff;
+    const std::vector<uint32_t> indices = reader_.integers(source.indices);
+    for (size_t i = 0; i < indices.size(); ++i) {
+        if (indices[i] == restart)
+            refuse(what + ": index " + std::to_string(i) + " is " + std::to_string(restart) +
+                   ", the primitive restart value, which glTF does not allow.");
+        if (indices[i] >= vertexCount)
+            refuse(what + ": index " + std::to_string(i) + " is " + std::to_string(indices[i]) +
+                   " but there are only " + std::to_string(vertexCount) + " vertices.");
+    }
 }
 
 /// What of the attributes is not drawn exactly.
 void GltfBuilder::noteAttributes(const tinygltf::Primitive& source, const std::string& what) {
+    if (source.material >= 0) {
+        const Material& material = model_.materials[size_t(source.material)];
+        for (const TextureUse* use :
+             {&material.baseColorTexture, &material.metallicRoughnessTexture,
+              &material.normalTexture, &material.occlusionTexture, &material.emissiveTexture}) {
+            const std::string semantic = "TEXCOORD_" + std::to_string(use->uvSet);
+            if (use->image >= 0 && !source.attributes.count(semantic))
+                unsupported(what + ": a texture on " + semantic + ", which it does not have");
+        }
+    }
     for (const auto& [semantic, accessor] : source.attributes) {
         const size_t underscore = semantic.find('_');
         if (underscore == 0 || underscore == std::string::npos) continue;

@@ -39,8 +39,8 @@ private:
                         const std::string& what);
     void readMorphTargets(Geometry& geometry, const tinygltf::Primitive& source,
                           const std::string& what);
-    std::vector<uint32_t> readIndices(const tinygltf::Primitive& source, const std::string& what);
-    int tangentUvSet(const tinygltf::Primitive& source, const std::string& what);
+    std::vector<uint32_t> readIndices(const tinygltf::Primitive& source) const;
+    int tangentUvSet(const tinygltf::Primitive& source) const;
 
     // gltf_attributes.cpp
     void checkAttribute(const std::string& semantic, int accessor, size_t vertexCount,

@@ -66,14 +66,11 @@ void readBuffers(GltfDocument& document, const Json& json, const LoadOptions& op
                 mimeType != "application/gltf-buffer")
                 refuse(what + ": its data: URI has the media type '" + mimeType +
                        "', which is not one of a buffer.");
-        } else {
-            if (index != 0 || !document.container.hasBin)
-                refuse(what + ": it has no URI and there is no BIN chunk for it.");
+        } else if (index == 0 && document.container.hasBin) {
             bytes = document.container.bin;
-            if (bytes.size() > length + 3)
-                refuse(what + ": the BIN chunk is " + std::to_string(bytes.size()) +
-                       " bytes long but byteLength is " + std::to_string(length) +
-                       "; at most 3 bytes of padding are allowed.");
+        } else {
+            document.buffers.emplace_back();  // a placeholder, which nothing may read
+            continue;
         }
         if (bytes.size() < length)
             refuse(what + ": byteLength is " + std::to_string(length) + " but only " +
@@ -137,6 +134,10 @@ void buildStructs(GltfDocument& document, Json& json) {
 std::span<const uint8_t> GltfDocument::viewBytes(int bufferView) const {
     if (bufferView < 0) return {};
     const tinygltf::BufferView& view = gltf.bufferViews[size_t(bufferView)];
+    if (buffers[size_t(view.buffer)].empty())
+        refuse(numbered("buffer", size_t(view.buffer)) +
+               ": it has no URI and there is no BIN chunk for it, but buffer view " +
+               std::to_string(bufferView) + " is read.");
     return buffers[size_t(view.buffer)].subspan(view.byteOffset, view.byteLength);
 }
 

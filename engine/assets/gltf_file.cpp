@@ -176,9 +176,10 @@ Bytes decodeDataUri(std::string_view uri, std::string& mimeType) {
     const size_t semicolon = header.find(';');
     mimeType = std::string(header.substr(0, semicolon));
     const size_t base64 = header.rfind(";base64");
-    if (base64 == std::string_view::npos || base64 + 7 != header.size())
-        refuse("a data: URI is not base64, the only encoding that is read.");
-    return decodeBase64(uri.substr(comma + 1));
+    if (base64 != std::string_view::npos && base64 + 7 == header.size())
+        return decodeBase64(uri.substr(comma + 1));
+    const std::string text = decodePercent(std::string(uri.substr(comma + 1)));
+    return Bytes(text.begin(), text.end());
 }
 
 }  // namespace rushlight::assets

@@ -36,7 +36,7 @@ std::string decodePercent(const std::string& uri);
 
 bool isDataUri(std::string_view uri);
 
-/// The bytes of "data:<type>;base64,<text>"; InputError when the text is no base64.
+/// The bytes of "data:<type>;base64,<text>", or of percent-encoded text without ";base64".
 Bytes decodeDataUri(std::string_view uri, std::string& mimeType);
 
 }  // namespace rushlight::assets

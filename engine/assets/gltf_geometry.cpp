@@ -69,31 +69,25 @@ void normalizeWeights(std::vector<VertexSkin>& skin, const std::string& what) {
 }  // namespace
 
 /// The uv set to make tangents for, or -1: the primitive has its own, or nothing needs them.
-int GltfBuilder::tangentUvSet(const tinygltf::Primitive& source, const std::string& what) {
+int GltfBuilder::tangentUvSet(const tinygltf::Primitive& source) const {
     if (source.material < 0) return -1;
     const Material& material = model_.materials[size_t(source.material)];
     if (material.normalTexture.image < 0) return -1;
     const int uvSet = material.normalTexture.uvSet;
     const bool hasNormals = find(source.attributes, "NORMAL") >= 0;
     if (hasNormals && find(source.attributes, "TANGENT") >= 0) return -1;
-    if (find(source.attributes, uvSet == 1 ? "TEXCOORD_1" : "TEXCOORD_0") >= 0) return uvSet;
-    unsupported(what + ": a normal map without texture coordinates");
-    return -1;
+    const bool hasUv = find(source.attributes, uvSet == 1 ? "TEXCOORD_1" : "TEXCOORD_0") >= 0;
+    return hasUv ? uvSet : -1;
 }
 
-std::vector<uint32_t> GltfBuilder::readIndices(const tinygltf::Primitive& source,
-                                               const std::string& what) {
+std::vector<uint32_t> GltfBuilder::readIndices(const tinygltf::Primitive& source) const {
     const size_t vertexCount = reader_.count(find(source.attributes, "POSITION"));
     std::vector<uint32_t> indices;
     if (source.indices < 0) {
         indices.resize(vertexCount);
         for (size_t i = 0; i < vertexCount; ++i) indices[i] = uint32_t(i);
     } else {
-        indices = reader_.integers(source.indices);
-        for (size_t i = 0; i < indices.size(); ++i)
-            if (indices[i] >= vertexCount)
-                refuse(what + ": index " + std::to_string(i) + " is " + std::to_string(indices[i]) +
-                       " but there are only " + std::to_string(vertexCount) + " vertices.");
+        indices = reader_.integers(source.indices);  // checkIndices has been over them
     }
     return toTriangles(std::move(indices), primitiveMode(source));
 }
@@ -152,7 +146,7 @@ Geometry GltfBuilder::readGeometry(const tinygltf::Primitive& source, int tangen
     Geometry geometry;
     readAttributes(geometry, source, what);
     readMorphTargets(geometry, source, what);
-    geometry.indices = readIndices(source, what);
+    geometry.indices = readIndices(source);
     if (geometry.normals.empty()) {
         makeFlatNormals(geometry);
         for (MorphTarget& target : geometry.morphTargets) {
@@ -174,7 +168,7 @@ Geometry GltfBuilder::readGeometry(const tinygltf::Primitive& source, int tangen
 }
 
 int GltfBuilder::geometryFor(const tinygltf::Primitive& source, const std::string& what) {
-    const int tangentUv = tangentUvSet(source, what);
+    const int tangentUv = tangentUvSet(source);
     const auto [it, isNew] =
         geometryOf_.try_emplace(geometryKey(source, tangentUv), int(model_.geometries.size()));
     if (!isNew) return it->second;
@@ -184,6 +178,7 @@ int GltfBuilder::geometryFor(const tinygltf::Primitive& source, const std::strin
         refuse(what + ": with it the file has " + std::to_string(elements_) +
                " vertices and indices; the limit is " + std::to_string(options_.maxElements) + ".");
     Geometry geometry = readGeometry(source, tangentUv, what);
+    if (geometry.indices.empty()) return it->second = -1;  // nothing to draw
     geometry.name = what;
     model_.geometries.push_back(std::move(geometry));
     return it->second;
@@ -209,8 +204,7 @@ void GltfBuilder::buildPrimitive(Mesh& mesh, const tinygltf::Primitive& source,
     }
     noteAttributes(source, what);
     const int geometry = geometryFor(source, what);
-    if (model_.geometries[size_t(geometry)].indices.empty()) return;
-    mesh.primitives.push_back({geometry, source.material});
+    if (geometry >= 0) mesh.primitives.push_back({geometry, source.material});
 }
 
 void GltfBuilder::buildMeshes() {

@@ -162,6 +162,14 @@ void GltfBuilder::decodeImages() {
             if (!size) problems[i] = size.error().message;
         }
     });
+    for (size_t i = 0; i < document_.images.size(); ++i) {
+        const ImageSource& unused = document_.images[i];
+        const bool isUsed = imageOf_.count({int(i), true}) || imageOf_.count({int(i), false});
+        if (isUsed || unused.problem.empty()) continue;
+        const std::string message = "image '" + unused.name + "': " + unused.problem;
+        if (options_.strict || options_.missingImages == MissingImages::refuse) refuse(message);
+        model_.warnings.push_back(message + " Nothing uses it.");
+    }
     uint64_t total = 0;
     for (const uint64_t size : sizes) total += size;
     if (total > options_.maxImagePixels)

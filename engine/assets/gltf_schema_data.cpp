@@ -2,6 +2,7 @@
 #include "engine/assets/gltf_schema_parts.h"
 
 #include <cfloat>
+#include <vector>
 
 namespace rushlight::assets {
 namespace {
@@ -61,13 +62,17 @@ void checkPrimitive(const Counts& counts, const JsonObject& primitive) {
         primitive, "targets", "target",
         [&](const JsonObject& target) {
             if (target.json().empty()) target.wrong("it has no attributes.");
-            for (const auto& [semantic, value] : target.json().items())
+            for (const auto& [semantic, value] : target.json().items()) {
                 target.index(semantic.c_str(), counts.accessors);
+                if (!primitive.json()["attributes"].contains(semantic))
+                    target.wrong("it moves " + semantic + ", which the primitive does not have.");
+            }
         },
         Need::optional, primitive.what() + " ");
 }
 
 void checkNumberedAttributes(const JsonObject& primitive) {
+    std::vector<size_t> sets;
     for (const char* base : {"TEXCOORD_", "COLOR_", "JOINTS_", "WEIGHTS_"}) {
         size_t found = 0, consecutive = 0;
         const Json& attributes = primitive.json()["attributes"];
@@ -75,7 +80,11 @@ void checkNumberedAttributes(const JsonObject& primitive) {
         while (attributes.contains(base + std::to_string(consecutive))) ++consecutive;
         if (found != consecutive)
             primitive.wrong(std::string("its ") + base + " attributes are not numbered from 0 on.");
+        sets.push_back(found);
     }
+    if (sets[2] != sets[3])
+        primitive.wrong("it has " + std::to_string(sets[2]) + " JOINTS attributes but " +
+                        std::to_string(sets[3]) + " WEIGHTS.");
 }
 
 }  // namespace

@@ -41,8 +41,6 @@ void checkMaterial(const Counts& counts, const JsonObject& material) {
     material.numbers("emissiveFactor", 3, 0, 1);
     material.oneOf("alphaMode", {"OPAQUE", "MASK", "BLEND"});
     material.number("alphaCutoff", 0, FLT_MAX);
-    if (material.has("alphaCutoff") && material.json().value("alphaMode", "OPAQUE") != "MASK")
-        material.wrong("it has an alphaCutoff but its alphaMode is not MASK.");
     material.boolean("doubleSided");
     if (const Json* json = findExtension(material, "KHR_materials_emissive_strength"))
         JsonObject(*json, material.what() + " KHR_materials_emissive_strength")

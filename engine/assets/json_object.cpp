@@ -7,7 +7,9 @@ namespace rushlight::assets {
 
 JsonObject::JsonObject(const Json& json, std::string what) : json_(json), what_(std::move(what)) {
     if (!json.is_object()) wrong("it is not a JSON object.");
-    if (has("extensions") && !json["extensions"].is_object()) wrong("its extensions are no object.");
+    if (const Json* extensions = object("extensions"))
+        for (const auto& [name, extension] : extensions->items())
+            if (!extension.is_object()) wrong("its extension " + name + " is not an object.");
     text("name");
 }
 

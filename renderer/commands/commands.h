@@ -89,11 +89,11 @@ struct SetVertexStream {
     static constexpr CommandType kType = CommandType::setVertexStream;
     uint32_t slot = 0;  ///< RL_STREAM_* of shaders/interop/bindings.h
     uint32_t stride = 0;
-    BufferRange range;
+    BufferRange range;  ///< its size is not used: the draws decide what is read
 };
 struct SetIndexStream {
     static constexpr CommandType kType = CommandType::setIndexStream;
-    BufferRange range;  ///< uint32 indices
+    BufferRange range;  ///< uint32 indices; its size is not used
 };
 struct BindUniforms {
     static constexpr CommandType kType = CommandType::bindUniforms;

@@ -186,6 +186,7 @@ struct FrameTarget {
     uint32_t framebuffer = 0;  ///< a GL framebuffer name; 0 is the window
     uint32_t width = 0;
     uint32_t height = 0;
+    bool topRowFirst = false;  ///< the host reads rows from the top; GL has them from the bottom
 };
 
 }  // namespace rushlight

@@ -215,7 +215,7 @@ uint64_t DrawList::contentHash(const CommandBuffer& buffer) const {
 
 void DrawBinder::record(CommandBuffer& commands, const DrawList& list) const {
     if (list.batches.empty()) return;
-    commands.push(SetIndexStream{{geometry->indices(), 0, 0, ~uint64_t(0)}});
+    commands.push(SetIndexStream{{geometry->indices(), 0, 0, 0}});
     PipelineHandle pipeline;
     uint32_t textureSet = 0;
     int streams = -1;
@@ -226,7 +226,7 @@ void DrawBinder::record(CommandBuffer& commands, const DrawList& list) const {
         if (wantedStreams != streams) {
             const VertexStreams& s = geometry->streams(batch.extended);
             const auto stream = [&](uint32_t slot, uint32_t stride, BufferHandle buffer) {
-                commands.push(SetVertexStream{slot, stride, {buffer, 0, 0, ~uint64_t(0)}});
+                commands.push(SetVertexStream{slot, stride, {buffer, 0, 0, 0}});
             };
             stream(RL_STREAM_POSITION, sizeof(VertexPosition), s.positions);
             stream(RL_STREAM_SURFACE, sizeof(VertexSurface), s.surfaces);

@@ -60,6 +60,10 @@ public:
               std::span<const mat4x3> previousTransforms);
 
     uint32_t visibleCount() const { return uint32_t(items_.size()); }
+    template <class F>
+    void forEachVisible(F&& f) const {
+        for (const Item& item : items_) f(item.instance);
+    }
     uint64_t contentHash(const CommandBuffer& buffer) const;
 
     std::vector<DrawBatch> batches;

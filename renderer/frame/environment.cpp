@@ -20,7 +20,7 @@ namespace {
 constexpr uint32_t kMaxSide = 16384;
 constexpr uint32_t kHashVersion = 1;  // counted up whenever the same input gives another result
 /// By level; wider lobes read coarser sources, and there are fewer texels to fill.
-constexpr std::array<uint32_t, kEnvironmentLevels> kSamples = {1, 64, 96, 160, 256, 384};
+constexpr std::array<uint32_t, kEnvironmentLevels> kSamples = {1, 40, 80, 192, 384, 768};
 
 /// One direction of a level's lobe around +z: all texels share them, since view = normal = reflection.
 struct LobeSample {
@@ -30,7 +30,7 @@ struct LobeSample {
 };
 
 // Krivanek and Colbert 2008, "Real-time Shading with Filtered Importance Sampling": a sample reads the source level
-// whose texel covers its share of the sphere, 1 / (count * pdf), and one level more so that shares overlap. That is also
+// whose texel covers its share of the sphere, 1 / (count * pdf), and two levels more so that shares overlap. That is also
 // what keeps a small bright sun from sparkling, without losing any of its energy. With view = normal,
 // pdf(light) = D(h) n.h / (4 v.h) = D(h) / 4.
 std::vector<LobeSample> makeLobe(float roughness, uint32_t count, uint32_t sourceSize,
@@ -46,7 +46,7 @@ std::vector<LobeSample> makeLobe(float roughness, uint32_t count, uint32_t sourc
         if (light.z <= 0) continue;
         const float pdf = interop::distributionGgx(half.z, alpha2) * 0.25f;
         const float shares = 1.0f / (float(count) * pdf * texelAngle);
-        const float level = std::max(0.5f * std::log2(shares) + 1.0f, 0.0f);
+        const float level = std::max(0.5f * std::log2(shares) + 2.0f, 0.0f);
         lobe.push_back({light, light.z, std::min(uint32_t(level + 0.5f), sourceLevels - 1)});
         total += light.z;
     }

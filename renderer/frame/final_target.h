@@ -9,6 +9,7 @@ struct FinalTarget {
     ImageId image;  ///< RGBA8, sRGB encoded by the shader; null for the host's framebuffer
     uint32_t width = 0;
     uint32_t height = 0;
+    bool topRowFirst = false;  ///< FrameTarget::topRowFirst
 
     /// The targets of a pass that draws here. `color` must live as long as the result.
     PassTargets targets(PassTargets::Color& color, LoadOp load) const {

@@ -76,12 +76,13 @@ RL_INLINE ShadingPoint makeShadingPoint(vec3 baseColor, float metallic, float ro
 }
 
 /// BRDF times nDotL for the unit direction `light` towards the light; zero from below the surface.
-/// The half vector h = (v + l) / |v + l| is never built: |v + l|^2 = 2 (1 + l.v), so
-/// n.h = (n.v + n.l) / |v + l| and v.h = |v + l| / 2.
+/// With H = v + l, not normalised: n.h = (n.v + n.l) / |H| and v.h = |H| / 2. |H|^2 is summed from H itself: its
+/// other form, 2 + 2 v.l, loses four digits at grazing angles.
 RL_INLINE vec3 evaluateBrdf(ShadingPoint p, vec3 light) {
     float rawNdotL = dot(p.normal, light);
     float nDotL = clamp(rawNdotL, 0.0f, 1.0f);
-    float halfLength2 = max(2.0f + 2.0f * dot(p.view, light), 1e-6f);
+    vec3 sum = p.view + light;
+    float halfLength2 = max(dot(sum, sum), 1e-6f);
     float inverseHalf = inversesqrt(halfLength2);
     float nDotH = (dot(p.normal, p.view) + rawNdotL) * inverseHalf;
     float vDotH = 0.5f * halfLength2 * inverseHalf;

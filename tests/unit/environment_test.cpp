@@ -179,7 +179,9 @@ TEST(Environment, ABrightSunKeepsItsEnergyAndDoesNotSparkle) {
             ++count;
         }
         expectedPeak = power / (4 * kPi * alpha2) / (mean / count);
-        EXPECT_LT(peak, 1.1 * expectedPeak) << "level " << level;
+        // Source texels on a grid vary the filter's height by where the sun falls; a point-sampled source would be many
+        // times over.
+        EXPECT_LT(peak, 1.25 * expectedPeak) << "level " << level;
     }
 }
 

@@ -1,0 +1,28 @@
+#pragma once
+// The world-space boxes of the visible objects as lines over the picture.
+
+#include "renderer/frame/draw_list.h"
+#include "renderer/frame/final_target.h"
+
+namespace rushlight {
+
+class BoundsPass {
+public:
+    struct Inputs {
+        const DrawList* lists[2] = {};  ///< whose instances are shown
+        std::span<const ResolvedInstance> resolved;
+        BufferRange viewUniforms;
+        FinalTarget target;  ///< keeps what it holds
+        CommandBuffer* data = nullptr;
+    };
+
+    explicit BoundsPass(Device& device) : device_(device) {}
+    Result<void> add(FramePlan& plan, const Inputs& inputs);
+
+private:
+    Device& device_;
+    PipelineHandle pipeline_;
+    std::vector<vec4> boxes_;
+};
+
+}  // namespace rushlight

@@ -1,0 +1,44 @@
+#pragma once
+// An intermediate image as the picture: G-buffer channels, depth, velocity, shadow cascades, light clusters.
+// ShownImage::lighting, forward and bloom are colours: those go through TonemapPass.
+
+#include "renderer/frame/final_target.h"
+#include "renderer/frame/frame_input.h"
+#include "renderer/passes/fullscreen.h"
+#include "renderer/passes/gbuffer_pass.h"
+
+namespace rushlight {
+
+class DebugViewPass {
+public:
+    struct Inputs {
+        ShownImage show = ShownImage::baseColor;
+        GBufferPass::Outputs gbuffer;
+        ImageId shadowMap;  ///< null: no shadows, shown as black
+        uint32_t shadowCascades = 0;
+        BufferRange clusters;             ///< LightingBindings::clusters; empty: no lights
+        vec4 clusterMapping{0}, clusterCounts{0};  ///< as LightingUniforms
+        vec2 depthDecode{0, 1};           ///< CameraMatrices::depthDecode
+        bool orthographic = false;
+        float nearestDepth = 0.1f, farthestDepth = 100;  ///< metres: white and black of ShownImage::depth
+        FinalTarget target;
+        CommandBuffer* data = nullptr;
+    };
+
+    explicit DebugViewPass(Device& device);
+    /// Whether `show` is one of this pass's.
+    static bool shows(ShownImage show);
+    Result<void> add(FramePlan& plan, const Inputs& inputs);
+
+private:
+    struct Payload {
+        FullscreenDraw draw;
+        BufferRange clusters;
+    };
+    static void record(const Payload& payload, PassContext& context);
+
+    FullscreenPipelines pipelines_;
+    SamplerHandle nearest_;
+};
+
+}  // namespace rushlight

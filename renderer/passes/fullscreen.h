@@ -1,0 +1,55 @@
+#pragma once
+// What passes that draw one triangle over their target have in common: shaders/common/fullscreen.vert.
+
+#include "renderer/frame/frame_plan.h"
+#include "shaders/interop/uniforms.h"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace rushlight {
+
+/// The pipelines of one fragment shader, by their #defines. The texts must be static.
+class FullscreenPipelines {
+public:
+    FullscreenPipelines(Device& device, std::string_view label, std::string_view fragmentShader,
+                        BlendMode blend = BlendMode::off)
+        : device_(device), label_(label), fragmentShader_(fragmentShader), blend_(blend) {}
+
+    Result<PipelineHandle> find(std::span<const std::string_view> defines);
+
+private:
+    struct Entry {
+        std::vector<std::string_view> defines;
+        PipelineHandle pipeline;
+    };
+    Device& device_;
+    std::string_view label_, fragmentShader_;
+    BlendMode blend_;
+    std::vector<Entry> entries_;
+};
+
+/// The payload of such a pass.
+struct FullscreenDraw {
+    struct Texture {
+        uint32_t slot = 0;
+        ImageId image;
+        SamplerHandle sampler;
+    };
+    PipelineHandle pipeline;
+    BufferRange uniforms;
+    Texture textures[4];  ///< those with a null image are skipped
+
+    static void record(const FullscreenDraw& draw, PassContext& context);
+};
+
+/// Samplers that clamp to the edge, without mip levels.
+SamplerHandle linearClampSampler(Device& device);
+SamplerHandle nearestClampSampler(Device& device);
+
+inline BufferRange appendUniforms(CommandBuffer& data, const interop::PassUniforms& uniforms) {
+    return data.append(std::span<const interop::PassUniforms>(&uniforms, 1));
+}
+
+}  // namespace rushlight

@@ -1,0 +1,14 @@
+find_package(nlohmann_json REQUIRED)
+
+add_executable(assets_test
+  assets_corpus_test.cpp
+  assets_image_test.cpp
+  assets_load_test.cpp
+  assets_pose_test.cpp
+  assets_rules_test.cpp
+  assets_tangents_test.cpp)
+target_link_libraries(assets_test PRIVATE
+  rushlight_assets rushlight_scene rushlight_jobs OpenImageIO nlohmann_json::nlohmann_json
+  GTest::gtest_main
+  rushlight_options)
+gtest_discover_tests(assets_test)
