@@ -26,17 +26,15 @@ void DuskGame::levelLoaded(Level& level) {
     const auto lights = level.punctualLights();
     for (size_t i = 0; i < lights.size(); ++i) names.push_back(level.punctualName(i));
     lamps_.gather(lights, names);
-    if (!allLit_) return;
-    for (size_t i = 0; i < lamps_.count(); ++i) lamps_.light(i, -Lamps::kKindleTime);
+    if (allLit_) lamps_.lightAll(-Lamps::kKindleTime);
 }
 
 void DuskGame::update(const GameFrame& frame) {
     time_ = frame.time;
-    near_ = lamps_.inReach(frame.camera.position);
-    if (near_ && frame.input.wasPressed(Key::e)) {
-        lamps_.light(*near_, frame.time);
-        near_.reset();
-        if (lamps_.litCount() == lamps_.count()) wonAt_ = frame.time;
+    canLight_ = lamps_.canLightAt(frame.camera.position);
+    if (canLight_ && frame.input.wasPressed(Key::e)) {
+        lamps_.lightAround(frame.camera.position, frame.time);
+        canLight_ = false;
     }
     lamps_.apply(frame.level.punctualLights(), frame.time);
 }
@@ -48,8 +46,8 @@ void DuskGame::drawHud(OverlayUi& ui) {
     status_ = "lamps " + std::to_string(lamps_.litCount()) + " / " +
               std::to_string(lamps_.count());
     ui.text(Anchor::bottomCenter, vec2(0, -16), status_, warm, true);
-    if (near_) ui.text(Anchor::bottomCenter, vec2(0, -60), "E: light the lamp", warm, true);
-    if (wonAt_ >= 0)
+    if (canLight_) ui.text(Anchor::bottomCenter, vec2(0, -60), "E: light the lamp", warm, true);
+    if (lamps_.allLit())
         ui.text(Anchor::center, vec2(0, -80), "All lamps are lit. Good night.", warm, true);
     else if (time_ < kIntroTime)
         ui.text(Anchor::center, vec2(0, -80), "Night falls. Light the lamps of the square.",

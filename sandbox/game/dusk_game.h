@@ -21,9 +21,8 @@ private:
     bool allLit_;  ///< the lamps burn from the start: no game, just the evening
     Lamps lamps_;
     std::string status_;
-    std::optional<size_t> near_;
+    bool canLight_ = false;
     double time_ = 0;
-    double wonAt_ = -1;
 };
 
 /// Sky light and background of a clear evening after sunset.

@@ -49,22 +49,29 @@ void Lamps::gather(std::span<const PunctualLight> lights, std::span<const std::s
     lamps_ = std::move(found);
 }
 
-std::optional<size_t> Lamps::inReach(const vec3& eyes) const {
-    std::optional<size_t> nearest;
-    float nearestDistance = kReach;
-    for (size_t i = 0; i < lamps_.size(); ++i) {
-        const vec3 apart = lamps_[i].position - eyes;
-        const float distance = std::hypot(apart.x, apart.z);
-        if (lamps_[i].lit || distance >= nearestDistance) continue;
-        nearest = i;
-        nearestDistance = distance;
-    }
-    return nearest;
+bool Lamps::reaches(const Lamp& lamp, const vec3& eyes) {
+    return !lamp.lit &&
+           std::hypot(lamp.position.x - eyes.x, lamp.position.z - eyes.z) < kReach;
 }
 
-void Lamps::light(size_t lamp, double time) {
-    lamps_[lamp].lit = true;
-    lamps_[lamp].litAt = time;
+bool Lamps::canLightAt(const vec3& eyes) const {
+    return std::any_of(lamps_.begin(), lamps_.end(),
+                       [&](const Lamp& lamp) { return reaches(lamp, eyes); });
+}
+
+void Lamps::lightAround(const vec3& eyes, double time) {
+    for (Lamp& lamp : lamps_) {
+        if (!reaches(lamp, eyes)) continue;
+        lamp.lit = true;
+        lamp.litAt = time;
+    }
+}
+
+void Lamps::lightAll(double time) {
+    for (Lamp& lamp : lamps_) {
+        lamp.lit = true;
+        lamp.litAt = time;
+    }
 }
 
 void Lamps::apply(std::span<PunctualLight> lights, double time) const {

@@ -5,7 +5,6 @@
 #include "renderer/frame/frame_input.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,18 +28,23 @@ public:
     /// Keeps burning what burnt and is still there. Lights whose name begins with "lamp" are lamps.
     void gather(std::span<const PunctualLight> lights, std::span<const std::string> names);
 
-    /// The nearest lamp in reach that does not burn.
-    std::optional<size_t> inReach(const vec3& eyes) const;
-    void light(size_t lamp, double time);
+    /// A lamp that does not burn is in reach.
+    bool canLightAt(const vec3& eyes) const;
+    /// Lights all that are in reach: the two of a post go on together.
+    void lightAround(const vec3& eyes, double time);
+    void lightAll(double time);
 
     /// Scales the level's lights: dark, kindling or burning.
     void apply(std::span<PunctualLight> lights, double time) const;
 
+    bool allLit() const { return litCount() == count(); }
     size_t count() const { return lamps_.size(); }
     size_t litCount() const;
     const std::vector<Lamp>& all() const { return lamps_; }
 
 private:
+    static bool reaches(const Lamp& lamp, const vec3& eyes);
+
     std::vector<Lamp> lamps_;
 };
 

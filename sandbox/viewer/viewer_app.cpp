@@ -60,6 +60,7 @@ Result<bool> ViewerApp::drawNextFrame() {
     const FrameInput frame = describeFrame();
     if (auto rendered = render(frame); !rendered) return tl::unexpected(rendered.error());
     previousView_ = frame.view.viewFromWorld;
+    if (frame_ == 0) say("first frame drawn");
     meter_.add(secondsNow() - now);
     return true;
 }
