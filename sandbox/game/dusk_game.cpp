@@ -14,8 +14,8 @@ constexpr double kIntroTime = 8;  // seconds
 
 Lighting duskLighting() {
     Lighting lighting;
-    lighting.ambientSky = vec3(0.10f, 0.13f, 0.22f);
-    lighting.ambientGround = vec3(0.045f, 0.038f, 0.035f);
+    lighting.ambientSky = vec3(0.15f, 0.18f, 0.28f);
+    lighting.ambientGround = vec3(0.06f, 0.052f, 0.048f);
     lighting.background = Background::color;
     lighting.backgroundColor = vec3(0.055f, 0.085f, 0.17f);
     return lighting;

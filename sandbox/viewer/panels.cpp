@@ -9,9 +9,13 @@ namespace {
 
 constexpr float kMargin = 10;  // pixels
 
-void place(float x, float y, float width) {
-    ImGui::SetNextWindowPos(ImVec2(x, y), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(width, 0), ImGuiCond_FirstUseEver);
+/// A window that is as large as what is in it. `x` counts from the right edge when negative.
+bool beginPanel(const char* title, float x, float y) {
+    const float right = ImGui::GetIO().DisplaySize.x;
+    const ImVec2 at(x < 0 ? right + x : x, y);
+    ImGui::SetNextWindowPos(at, ImGuiCond_FirstUseEver, ImVec2(x < 0 ? 1.0f : 0.0f, 0));
+    return ImGui::Begin(title, nullptr,
+                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
 }
 
 void drawTotals(const FrameReport& r) {
@@ -92,8 +96,7 @@ void editExposure(FrameSettings& settings) {
 }  // namespace
 
 void drawStatistics(const StatisticsView& view) {
-    place(kMargin, kMargin, 390);
-    if (ImGui::Begin("frame")) {
+    if (beginPanel("frame", kMargin, kMargin)) {
         ImGui::Text("%.1f frames/s  %.2f ms (median)  %u x %u", view.meter.framesPerSecond(),
                     view.meter.medianSeconds() * 1000, view.size.x, view.size.y);
         ImGui::TextDisabled("%.*s", int(view.device.size()), view.device.data());
@@ -107,11 +110,11 @@ void drawStatistics(const StatisticsView& view) {
 }
 
 void drawPassViews(FrameSettings& settings) {
-    place(ImGui::GetIO().DisplaySize.x - 190 - kMargin, kMargin, 190);
-    if (ImGui::Begin("pass views")) {
+    if (beginPanel("pass views", -kMargin, kMargin)) {
         for (int i = 0; i < int(ShownImage::count); ++i) {
             const auto image = ShownImage(i);
-            if (ImGui::Selectable(toText(image), settings.show == image)) settings.show = image;
+            if (ImGui::Selectable(toText(image), settings.show == image, 0, ImVec2(150, 0)))
+                settings.show = image;
         }
     }
     ImGui::End();
@@ -119,8 +122,7 @@ void drawPassViews(FrameSettings& settings) {
 
 void drawSettings(ViewerSettings& settings, CameraRig& camera) {
     FrameSettings& frame = settings.frame;
-    place(ImGui::GetIO().DisplaySize.x - 310 - kMargin, 320, 310);
-    if (ImGui::Begin("settings")) {
+    if (beginPanel("settings", -kMargin, 330)) {
         ImGui::Checkbox("shadows", &frame.shadows);
         int cascades = int(frame.shadowCascades);
         if (ImGui::SliderInt("cascades", &cascades, 1, 4)) frame.shadowCascades = uint32_t(cascades);
@@ -148,8 +150,7 @@ void drawSettings(ViewerSettings& settings, CameraRig& camera) {
 }
 
 void drawHelp() {
-    place(kMargin, 430, 390);
-    if (ImGui::Begin("keys")) {
+    if (beginPanel("keys", 440, kMargin)) {
         for (const HelpLine& line : kHelp) {
             ImGui::TextUnformatted(line.keys);
             ImGui::SameLine(120);

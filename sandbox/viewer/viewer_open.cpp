@@ -133,7 +133,8 @@ Result<void> ViewerApp::placeCamera() {
     if (const auto spawn = level_->nodeNamed("spawn")) {
         feet = vec3((*spawn)[3]);
         if (options_.camera.empty() && !options_.eye)
-            eyes = {feet + vec3(0, WalkCamera::kEyeHeight, 0), LookAngles::along(-vec3((*spawn)[2]))};
+            // A thing faces +z, unlike a camera (glTF 2.0, section 3.4).
+            eyes = {feet + vec3(0, WalkCamera::kEyeHeight, 0), LookAngles::along(vec3((*spawn)[2]))};
     }
     camera_.startAt(eyes, feet, options_.cameraMode);
     return {};
