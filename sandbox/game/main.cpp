@@ -1,0 +1,26 @@
+#include "sandbox/game/allocation_count.h"
+#include "sandbox/game/dusk_game.h"
+#include "sandbox/game/options.h"
+#include "sandbox/viewer/program_files.h"
+
+#include <cstdio>
+
+int main(int argc, char** argv) {
+    using namespace rushlight;
+    int exitCode = 0;
+    auto options = parseOptions(argc, argv, exitCode);
+    if (!options) return exitCode;
+    if (options->viewer.scene.empty())
+        options->viewer.scene = findProgramFile("content/square/square.gltf").string();
+    if (options->viewer.scene.empty()) {
+        std::fprintf(stderr,
+                     "sandbox: error: content/square/square.gltf: The level is neither beside the "
+                     "program nor in its share folder; name one with --level FILE.\n");
+        return 3;
+    }
+    options->viewer.lighting = duskLighting();
+    options->viewer.allocationCount = allocationCount;
+    options->viewer.pinRasterThreads = true;
+    DuskGame game(options->allLit);
+    return runViewer(options->viewer, &game);
+}
