@@ -2,6 +2,7 @@
 
 #include "renderer/frame/lighting_setup.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -325,7 +326,7 @@ Result<void> FrameRenderer::planDebugView(const FrameInput& input, const FinalTa
                         float(LightClusters::kSlices), 0};
     in.depthDecode = camera.depthDecode;
     in.orthographic = !camera.perspective;
-    in.nearestDepth = camera.nearPlane;
+    in.nearestDepth = std::max(camera.nearPlane, 0.01f);  // an orthographic one may be behind the eye
     const Aabb bounds = sceneBounds();
     if (!bounds.isEmpty())
         in.farthestDepth =
