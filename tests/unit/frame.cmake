@@ -1,0 +1,8 @@
+# The frame builder and whole frames, on the null backend.
+add_executable(frame_test
+  light_clusters_test.cpp
+  shadow_cascades_test.cpp
+  view_math_test.cpp)
+target_link_libraries(frame_test PRIVATE
+  rushlight_renderer rushlight_null_backend rushlight_jobs GTest::gtest_main rushlight_options)
+gtest_discover_tests(frame_test)
