@@ -24,6 +24,20 @@ SamplerHandle clampingSampler(Device& device, bool mipmaps, bool compare) {
     return device.createSampler(desc);
 }
 
+// What falls off the end waits in `spare`, so that frames with now more, now fewer passes make no allocations.
+void resizeKeepingMemory(std::vector<PassReport>& reports, std::vector<PassReport>& spare,
+                         size_t count) {
+    while (reports.size() > count) {
+        spare.push_back(std::move(reports.back()));
+        reports.pop_back();
+    }
+    while (reports.size() < count) {
+        if (spare.empty()) spare.emplace_back();
+        reports.push_back(std::move(spare.back()));
+        spare.pop_back();
+    }
+}
+
 }  // namespace
 
 FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
@@ -358,7 +372,7 @@ void FrameRenderer::fillReport(const FrameInput& input) {
     r.draws = 0;
     r.triangles = 0;
     r.gpuMs = 0;
-    r.passes.resize(plan_.keptPassCount());
+    resizeKeepingMemory(r.passes, sparePassReports_, plan_.keptPassCount());
     for (uint32_t i = 0; i < plan_.keptPassCount(); ++i) {
         PassReport& pass = r.passes[i];
         const PassExecution& done = execution_.passes[i];
