@@ -1,7 +1,10 @@
 # The frame builder and whole frames, on the null backend.
 add_executable(frame_test
+  draw_list_test.cpp
   frame_plan_test.cpp
+  geometry_store_test.cpp
   light_clusters_test.cpp
+  material_store_test.cpp
   shadow_cascades_test.cpp
   view_math_test.cpp)
 target_link_libraries(frame_test PRIVATE
