@@ -6,7 +6,9 @@ add_executable(frame_test
   light_clusters_test.cpp
   material_store_test.cpp
   shadow_cascades_test.cpp
-  view_math_test.cpp)
+  view_math_test.cpp
+  whole_frame_test.cpp
+  ../support/random_scene.cpp)
 target_link_libraries(frame_test PRIVATE
   rushlight_renderer rushlight_null_backend rushlight_jobs GTest::gtest_main rushlight_options)
 gtest_discover_tests(frame_test)
