@@ -1,8 +1,8 @@
 // Whole frames through the one header, with no GPU.
-#include "engine/jobs/tbb_jobs.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/thread_jobs.h"
 
 #include <gtest/gtest.h>
 
@@ -32,15 +32,15 @@ std::string commandsOf(uint64_t seed, JobSystem* jobs, const std::string& cache)
 }
 
 TEST(WholeFrame, CommandsAreTheSameForAnyNumberOfThreadsAndAgain) {
-    const auto two = createTbbJobs(2), eight = createTbbJobs(8);
+    ThreadJobs two(2), eight(8);
     const TemporaryDirectory cache;
     size_t length = 0;
     for (uint64_t seed = 100; seed < 150; ++seed) {
         const std::string alone = commandsOf(seed, nullptr, cache.path());
         length += alone.size();
         EXPECT_TRUE(commandsOf(seed, nullptr, cache.path()) == alone) << "again, seed " << seed;
-        EXPECT_TRUE(commandsOf(seed, two.get(), cache.path()) == alone) << "2 threads, seed " << seed;
-        EXPECT_TRUE(commandsOf(seed, eight.get(), cache.path()) == alone) << "8 threads, seed " << seed;
+        EXPECT_TRUE(commandsOf(seed, &two, cache.path()) == alone) << "2 threads, seed " << seed;
+        EXPECT_TRUE(commandsOf(seed, &eight, cache.path()) == alone) << "8 threads, seed " << seed;
     }
     EXPECT_GT(length, 500'000u) << "the scenes are too small to differ";
 }
