@@ -82,11 +82,14 @@ protected:
 };
 
 TEST_F(GeometryStoreTest, GrowingKeepsWhatIsThere) {
-    const Shape cube = makeCube(), large = makeSphere(200, 400);
+    // 45,451 vertices, the cube behind them, then 80,601: more than the first capacity.
+    const Shape filler = makeSphere(150, 300), cube = makeCube(), large = makeSphere(200, 400);
+    const MeshHandle before = *store.create(filler.desc());
     const MeshHandle first = *store.create(cube.desc());
     std::vector<vec4> colors(large.positions.size(), vec4(1));
     const size_t buffers = device.buffers.size();
-    const MeshHandle second = *store.create(large.desc());  // 80,601 vertices: over the first capacity
+    const MeshHandle second = *store.create(large.desc());
+    expectHolds(before, filler);
     expectHolds(first, cube);
     expectHolds(second, large);
     EXPECT_EQ(device.buffers.size(), buffers) << "the smaller buffers are given back";
