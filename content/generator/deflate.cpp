@@ -11,8 +11,8 @@ constexpr int kLiteralCodes = 286;
 constexpr size_t kBlockSymbols = 60000;
 
 /// RFC 1951, 3.2.5: the shortest run of each length code and its number of extra bits.
-constexpr std::array<uint16_t, 29> kLengthBase = {3,  4,  5,  6,  7,  8,  9,  10, 11,  13,
-                                                  15, 17, 19, 23, 27, 31, 35, 43, 51,  59,
+constexpr std::array<uint16_t, 29> kLengthBase = {3,  4,  5,  6,   7,   8,   9,   10,  11, 13,
+                                                  15, 17, 19, 23,  27,  31,  35,  43,  51, 59,
                                                   67, 83, 99, 115, 131, 163, 195, 227, 258};
 constexpr std::array<uint8_t, 29> kLengthExtra = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2,
                                                   2, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5, 0};
@@ -42,8 +42,8 @@ struct Code {
     std::vector<uint16_t> bits;  ///< reversed: sent from the lowest bit
 };
 
-/// Lengths of a Huffman code of the used symbols. Halving the counts until the tree is low enough keeps
-/// the limit at a negligible loss.
+/// Lengths of a Huffman code of the used symbols. Halving the counts until the tree is low enough
+/// keeps the limit at a negligible loss.
 std::vector<uint8_t> codeLengths(std::vector<uint32_t> counts, int limit) {
     struct Item {
         uint64_t weight;
@@ -124,8 +124,7 @@ int lengthCode(int run) {
 void writeBlock(BitWriter& out, std::span<const uint16_t> symbols, bool last) {
     std::vector<uint32_t> counts(kLiteralCodes, 0);
     counts[kEndOfBlock] = 1;
-    for (const uint16_t s : symbols)
-        ++counts[size_t(s < 256 ? s : 257 + lengthCode(s - 1000))];
+    for (const uint16_t s : symbols) ++counts[size_t(s < 256 ? s : 257 + lengthCode(s - 1000))];
     const Code literals = makeCode(counts, 15);
 
     // One distance code, of one bit: "the byte before".

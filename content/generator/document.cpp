@@ -37,15 +37,17 @@ quat lookRotation(const vec3& forward) {
     return normalize(glm::quat_cast(mat3(right, cross(back, right), back)));
 }
 
-/// The submesh without vertices that no triangle uses, and with equal ones joined, in the order of use.
+/// The submesh without vertices that no triangle uses, and with equal ones joined, in the order of
+/// use.
 Submesh welded(const Submesh& in) {
     Submesh out{in.material, {}, {}};
     std::map<std::array<float, 11>, uint32_t> known;
     for (const uint32_t i : in.indices) {
         const Vertex& v = in.vertices[i];
-        const auto [found, isNew] = known.try_emplace(
-            {v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z, v.tangent.x,
-             v.tangent.y, v.tangent.z, v.uv.x, v.uv.y}, uint32_t(out.vertices.size()));
+        const auto [found, isNew] =
+            known.try_emplace({v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y,
+                               v.normal.z, v.tangent.x, v.tangent.y, v.tangent.z, v.uv.x, v.uv.y},
+                              uint32_t(out.vertices.size()));
         if (isNew) out.vertices.push_back(v);
         out.indices.push_back(found->second);
     }
@@ -56,8 +58,11 @@ Submesh welded(const Submesh& in) {
 
 int Document::addAccessor(int view, int componentType, size_t count, const char* type,
                           size_t offset) {
-    accessors_.push_back({{"bufferView", view}, {"byteOffset", offset},
-                          {"componentType", componentType}, {"count", count}, {"type", type}});
+    accessors_.push_back({{"bufferView", view},
+                          {"byteOffset", offset},
+                          {"componentType", componentType},
+                          {"count", count},
+                          {"type", type}});
     return int(accessors_.size() - 1);
 }
 
@@ -88,9 +93,10 @@ Json Document::addPrimitive(const Submesh& source) {
     const int index = addAccessor(4, kUnsignedShort, submesh.indices.size(), "SCALAR",
                                   indices_.size() * sizeof(uint16_t));
     for (const uint32_t i : submesh.indices) indices_.push_back(uint16_t(i));
-    return {{"attributes", {{"POSITION", position}, {"NORMAL", normal}, {"TANGENT", tangent},
-                            {"TEXCOORD_0", uv}}},
-            {"indices", index}};
+    return {
+        {"attributes",
+         {{"POSITION", position}, {"NORMAL", normal}, {"TANGENT", tangent}, {"TEXCOORD_0", uv}}},
+        {"indices", index}};
 }
 
 int Document::addPart(const std::string& name, const MeshBuilder& mesh) {
@@ -107,7 +113,10 @@ int Document::mesh(int part, const Repaint& repaint) {
     std::string key = std::to_string(part);
     std::string name = source.name;
     for (const auto& [from, to] : repaint) {
-        key.append(":").append(std::to_string(int(from))).append(">").append(std::to_string(int(to)));
+        key.append(":")
+            .append(std::to_string(int(from)))
+            .append(">")
+            .append(std::to_string(int(to)));
         name.append("/").append(materialSpec(to).name);
     }
     const auto [found, isNew] = meshOfKey_.try_emplace(key, int(meshes_.size()));
@@ -168,8 +177,10 @@ int Document::addNode(const std::string& name, int parent, const Placement& plac
 
 void Document::addLight(int node, const LightSpec& light) {
     const char* kinds[] = {"directional", "point", "spot"};
-    Json json = {{"name", nodes_[size_t(node)]["name"]}, {"type", kinds[int(light.kind)]},
-                 {"color", list(light.color)}, {"intensity", tidy(light.intensity)}};
+    Json json = {{"name", nodes_[size_t(node)]["name"]},
+                 {"type", kinds[int(light.kind)]},
+                 {"color", list(light.color)},
+                 {"intensity", tidy(light.intensity)}};
     if (light.range > 0) json["range"] = tidy(light.range);
     if (light.kind == LightSpec::Kind::spot)
         json["spot"] = {{"innerConeAngle", tidy(light.coneTurns * 0.6 * 6.283185307179586)},
@@ -191,8 +202,10 @@ void Document::addLight(int node, const LightSpec& light) {
 void Document::addCamera(const std::string& name, const vec3& eye, const vec3& target,
                          float fovDegrees) {
     const int camera = int(cameras_.size());
-    cameras_.push_back({{"name", name}, {"type", "perspective"},
-                        {"perspective", {{"yfov", tidy(fovDegrees * kPi / 180)}, {"znear", 0.05}}}});
+    cameras_.push_back(
+        {{"name", name},
+         {"type", "perspective"},
+         {"perspective", {{"yfov", tidy(fovDegrees * kPi / 180)}, {"znear", 0.05}}}});
     const int node = addNode(name, -1, {eye, lookRotation(target - eye), vec3(1)});
     nodes_[size_t(node)]["camera"] = camera;
 }
@@ -208,12 +221,12 @@ int Document::material(Mat id) {
     const auto [found, isNew] = materialOfId_.try_emplace(id, int(materials_.size()));
     if (!isNew) return found->second;
     const MaterialSpec& spec = materialSpec(id);
-    Json pbr = {{"baseColorFactor", list(spec.baseColor)}, {"metallicFactor", tidy(spec.metallic)},
+    Json pbr = {{"baseColorFactor", list(spec.baseColor)},
+                {"metallicFactor", tidy(spec.metallic)},
                 {"roughnessFactor", tidy(spec.roughness)}};
     Json json = {{"name", spec.name}};
     const std::string detail = spec.detail ? spec.detail : "";
-    if (spec.color)
-        pbr["baseColorTexture"]["index"] = texture(std::string(spec.color) + "_color");
+    if (spec.color) pbr["baseColorTexture"]["index"] = texture(std::string(spec.color) + "_color");
     if (!detail.empty() && spec.color) {
         const int packed = texture(detail + "_orm");
         pbr["metallicRoughnessTexture"]["index"] = packed;
@@ -261,8 +274,10 @@ void Document::save(const std::filesystem::path& folder) const {
         append(attributes_[k].data(), attributes_[k].size() * 4, kArrayBuffer, strides[k]);
     append(indices_.data(), indices_.size() * 2, kElementArrayBuffer, 0);
 
-    Json json = {{"asset", {{"version", "2.0"}, {"generator", "rushlight-content"},
-                            {"copyright", "CC0 1.0, the Rushlight authors"}}},
+    Json json = {{"asset",
+                  {{"version", "2.0"},
+                   {"generator", "rushlight-content"},
+                   {"copyright", "CC0 1.0, the Rushlight authors"}}},
                  {"extensionsUsed", Json::array({"KHR_lights_punctual"})}};
     if (usesEmissiveStrength_) json["extensionsUsed"].push_back("KHR_materials_emissive_strength");
     json["extensions"]["KHR_lights_punctual"]["lights"] = lights_;
@@ -273,10 +288,11 @@ void Document::save(const std::filesystem::path& folder) const {
     json["meshes"] = meshes_;
     json["materials"] = materials_;
     if (!pictureNames_.empty()) {
-        json["samplers"] = Json::array({{{"magFilter", 9729}, {"minFilter", 9987},
-                                         {"wrapS", 10497}, {"wrapT", 10497}}});
+        json["samplers"] = Json::array(
+            {{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 10497}, {"wrapT", 10497}}});
         for (size_t i = 0; i < pictureNames_.size(); ++i) {
-            json["images"].push_back({{"name", pictureNames_[i]}, {"uri", pictureNames_[i] + ".png"}});
+            json["images"].push_back(
+                {{"name", pictureNames_[i]}, {"uri", pictureNames_[i] + ".png"}});
             json["textures"].push_back({{"sampler", 0}, {"source", i}});
         }
     }

@@ -23,7 +23,8 @@ inline Placement at(const vec3& position, double yawTurns = 0, float scale = 1) 
     return {position, rotationTurns({0, 1, 0}, yawTurns), vec3(scale)};
 }
 
-/// A punctual light, shining along its node's -z. `coneTurns` > 0 makes it a spot of that half angle.
+/// A punctual light, shining along its node's -z. `coneTurns` > 0 makes it a spot of that half
+/// angle.
 struct LightSpec {
     enum class Kind { sun, point, spot } kind = Kind::point;
     vec3 color{1};
@@ -32,7 +33,8 @@ struct LightSpec {
     float coneTurns = 0;
 };
 
-/// A glTF 2.0 document under construction; `save` writes NAME.gltf and NAME.bin beside the pictures.
+/// A glTF 2.0 document under construction; `save` writes NAME.gltf and NAME.bin beside the
+/// pictures.
 class Document {
 public:
     explicit Document(std::string name) : name_(std::move(name)) {}

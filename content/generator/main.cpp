@@ -1,5 +1,6 @@
 // rushlight-content OUTDIR: makes the project's own content, the same bytes on every machine.
 
+#include "content/generator/sky.h"
 #include "content/generator/square.h"
 #include "content/generator/surface.h"
 
@@ -35,6 +36,7 @@ void makeSquare(const fs::path& folder) {
     saveSurface(folder, windowSurface(), true, false);
     const SurfaceMaps water = bakeSurface(waterSurface());
     savePicture(folder, "water_normal", water.normal);
+    writeFile(folder / "dusk.hdr", encodeDuskSky());
     const Square square = buildSquare();
     square.document.save(folder);
     std::printf("square: %zu nodes, %zu triangles drawn, %d lamps\n", square.document.nodeCount(),
@@ -54,9 +56,10 @@ void makeTestCard(const fs::path& folder) {
 int main(int argc, char** argv) {
     const bool help = argc == 2 && std::string_view(argv[1]) == "--help";
     if (argc != 2 || help) {
-        std::fprintf(help ? stdout : stderr,
-                     "usage: rushlight-content OUTDIR\n"
-                     "Writes the folders square and testcard (glTF, buffers, pictures) into OUTDIR.\n");
+        std::fprintf(
+            help ? stdout : stderr,
+            "usage: rushlight-content OUTDIR\n"
+            "Writes the folders square and testcard (glTF, buffers, pictures) into OUTDIR.\n");
         return help ? 0 : 2;
     }
     const fs::path out = argv[1];

@@ -1,7 +1,8 @@
 #pragma once
-// Builds closed, counter-clockwise meshes with normals, texture coordinates in metres of the material's tile,
-// and tangents that follow from the mapping. Every mapping has u to the right and v downwards seen from outside,
-// so that the bitangent cross(normal, tangent) points up in the picture and w is always +1.
+// Builds closed, counter-clockwise meshes with normals, texture coordinates in metres of the
+// material's tile, and tangents that follow from the mapping. Every mapping has u to the right and
+// v downwards seen from outside, so that the bitangent cross(normal, tangent) points up in the
+// picture and w is always +1.
 
 #include "content/generator/materials.h"
 #include "content/generator/numeric.h"
@@ -55,14 +56,16 @@ public:
     void box(const vec3& low, const vec3& high, float bevel = 0);
     /// A bent box: corner i has the greater x for bit 0, y for bit 1, z for bit 2.
     void hexahedron(const std::array<vec3, 8>& corners, float bevel = 0);
-    /// A profile from bottom to top turned around the y axis, the outside to its right. Corners of more than 40
-    /// degrees stay hard.
+    /// A profile from bottom to top turned around the y axis, the outside to its right. Corners of
+    /// more than 40 degrees stay hard.
     void lathe(const Profile& profile, int segments, float radiusScaleX = 1);
     /// A tube of the radius along a path, closed by flat caps.
     void tube(std::span<const vec3> path, float radius, int sides);
-    /// A moulding along x from x0 to x1: profile (reach towards +z, height), rising; closed at both ends.
+    /// A moulding along x from x0 to x1: profile (reach towards +z, height), rising; closed at both
+    /// ends.
     void moulding(const Profile& profile, float x0, float x1);
-    /// (columns + 1) x (rows + 1) vertices made by `at(i, j)`, i along the tangent and j along the bitangent.
+    /// (columns + 1) x (rows + 1) vertices made by `at(i, j)`, i along the tangent and j along the
+    /// bitangent.
     void grid(int columns, int rows, const std::function<Vertex(int i, int j)>& at);
 
     float tile() const;

@@ -7,7 +7,8 @@
 namespace rushlight::content {
 namespace {
 
-/// The corners of a hexahedron's face, counter-clockwise from outside. Faces: -x, +x, -y, +y, -z, +z.
+/// The corners of a hexahedron's face, counter-clockwise from outside. Faces: -x, +x, -y, +y, -z,
+/// +z.
 std::array<int, 4> faceLoop(int face) {
     const int axis = face / 2;
     const int u = 1 << ((axis + 1) % 3), v = 1 << ((axis + 2) % 3);
@@ -23,7 +24,8 @@ bool onFace(int corner, int face) { return ((corner >> (face / 2)) & 1) == face 
 void MeshBuilder::box(const vec3& low, const vec3& high, float bevel) {
     std::array<vec3, 8> corners;
     for (int i = 0; i < 8; ++i)
-        corners[size_t(i)] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
+        corners[size_t(i)] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y,
+                              i & 4 ? high.z : low.z};
     hexahedron(corners, bevel);
 }
 
@@ -50,7 +52,8 @@ void MeshBuilder::hexahedron(const std::array<vec3, 8>& corners, float bevel) {
         for (int k = 0; k < 4; ++k) {
             const int from = loop[size_t(k)], to = loop[size_t((k + 1) & 3)];
             for (int b = a + 1; b < 6; ++b)
-                if (onFace(from, b) && onFace(to, b)) hexahedronEdge(inset, normals, a, b, from, to);
+                if (onFace(from, b) && onFace(to, b))
+                    hexahedronEdge(inset, normals, a, b, from, to);
         }
     }
     for (int c = 0; c < 8; ++c) {
@@ -104,8 +107,11 @@ void MeshBuilder::lathe(const Profile& profile, int segments, float radiusScaleX
             const vec3 position(out.x * p.x * radiusScaleX, p.y, out.z * p.x);
             const vec3 normal(out.x * n.x / radiusScaleX, n.y, out.z * n.x);
             const vec3 tangent(out.z * radiusScaleX, 0, -out.x);
-            return Vertex{position, normal, tangent,
-                          {repeats * float(i) / float(segments), -(from + (j ? step : 0)) / tile()}};
+            return Vertex{
+                position,
+                normal,
+                tangent,
+                {repeats * float(i) / float(segments), -(from + (j ? step : 0)) / tile()}};
         });
         length += step;
     }
@@ -137,7 +143,9 @@ void MeshBuilder::tube(std::span<const vec3> path, float radius, int sides) {
         const double turns = double(i) / sides;
         const size_t k = size_t(j);
         const vec3 out = radial(k, turns);
-        return Vertex{path[k] + radius * out, out, cross(axes[k], out),
+        return Vertex{path[k] + radius * out,
+                      out,
+                      cross(axes[k], out),
                       {around * float(i) / float(sides), -lengths[k] / tile()}};
     });
     for (const size_t end : {size_t(0), last})

@@ -9,7 +9,8 @@ float corner(int x, int y, int cellsU, int cellsV, uint32_t seed) {
     return unit(uint32_t(wrapCell(x, cellsU)), uint32_t(wrapCell(y, cellsV)), seed);
 }
 
-/// 6t^5 - 15t^4 + 10t^3: the second derivative vanishes at both ends (Perlin, "Improving Noise", 2002).
+/// 6t^5 - 15t^4 + 10t^3: the second derivative vanishes at both ends (Perlin, "Improving Noise",
+/// 2002).
 float fade(float t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 
 }  // namespace
@@ -18,8 +19,8 @@ float valueNoise(float u, float v, int cellsU, int cellsV, uint32_t seed) {
     const float x = u * float(cellsU), y = v * float(cellsV);
     const int cx = int(std::floor(x)), cy = int(std::floor(y));
     const float fx = fade(x - float(cx)), fy = fade(y - float(cy));
-    const float low = mixf(corner(cx, cy, cellsU, cellsV, seed),
-                           corner(cx + 1, cy, cellsU, cellsV, seed), fx);
+    const float low =
+        mixf(corner(cx, cy, cellsU, cellsV, seed), corner(cx + 1, cy, cellsU, cellsV, seed), fx);
     const float high = mixf(corner(cx, cy + 1, cellsU, cellsV, seed),
                             corner(cx + 1, cy + 1, cellsU, cellsV, seed), fx);
     return mixf(low, high, fy);

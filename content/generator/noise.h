@@ -13,9 +13,9 @@ float fractalNoise(float u, float v, int cellsU, int cellsV, int octaves, uint32
 
 /// The nearest of one jittered point per cell; odd rows are shifted by half a cell.
 struct CellHit {
-    uint32_t id = 0;     ///< of the nearest point's cell
-    float edge = 0;      ///< distance to the border with the next cell, in cells
-    vec2 offset{0};      ///< from the nearest point, in cells
+    uint32_t id = 0;  ///< of the nearest point's cell
+    float edge = 0;   ///< distance to the border with the next cell, in cells
+    vec2 offset{0};   ///< from the nearest point, in cells
 };
 CellHit cellNoise(float u, float v, int cellsU, int cellsV, float jitter, uint32_t seed);
 

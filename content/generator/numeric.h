@@ -1,6 +1,6 @@
 #pragma once
-// Arithmetic that gives the same bits on every machine: only + - * / sqrt and floor of IEEE doubles, which the
-// standard rounds exactly. Angles are in turns (1 = 360 degrees).
+// Arithmetic that gives the same bits on every machine: only + - * / sqrt and floor of IEEE
+// doubles, which the standard rounds exactly. Angles are in turns (1 = 360 degrees).
 
 #include "engine/core/math.h"
 
@@ -21,7 +21,8 @@ inline vec3 yawDirection(double turns) {
 /// A unit quaternion that turns around a unit axis.
 quat rotationTurns(const vec3& axis, double turns);
 
-/// A uniform 32-bit hash of three integers (the finaliser of MurmurHash3 over a multiply-add of them).
+/// A uniform 32-bit hash of three integers (the finaliser of MurmurHash3 over a multiply-add of
+/// them).
 uint32_t hash3(uint32_t a, uint32_t b, uint32_t c);
 
 /// The hash as a number in [0, 1).

@@ -1,6 +1,6 @@
 #pragma once
-// The things of the square, each a mesh in its own space: origin on the ground in the middle, front towards +z.
-// Lengths in metres.
+// The things of the square, each a mesh in its own space: origin on the ground in the middle, front
+// towards +z. Lengths in metres.
 
 #include "content/generator/mesh_builder.h"
 
@@ -15,7 +15,6 @@ MeshBuilder archPart();
 MeshBuilder columnPart();
 MeshBuilder pierPart();
 MeshBuilder arcadeFloorPart();
-MeshBuilder arcadeCeilingPart();
 MeshBuilder arcadeBackPart(bool door);
 
 // Houses: `bays` windows wide; every storey is three metres.
@@ -58,7 +57,6 @@ MeshBuilder waterPart(float radius, int rings);
 // Lamps: a lantern hangs from its origin; its light is at (0, -kLanternDrop, 0).
 inline constexpr float kLanternDrop = 0.56f;
 MeshBuilder lanternPart();
-MeshBuilder lanternGlassPart();
 MeshBuilder bulbPart();
 MeshBuilder lampPostPart();
 MeshBuilder wallBracketPart();

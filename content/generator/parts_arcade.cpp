@@ -42,25 +42,37 @@ void voussoirs(MeshBuilder& b) {
     for (int i = 0; i < kStones; ++i) {
         const bool key = i == kStones / 2;
         const float reach = key ? 0.07f : 0.03f;
-        const float inner = kRadius - (key ? 0.06f : 0.025f), outer = kRadius + (key ? 0.40f : 0.33f);
+        const float inner = kRadius - (key ? 0.06f : 0.025f),
+                    outer = kRadius + (key ? 0.40f : 0.33f);
         const vec2 a = onArch(inner, double(i) / kStones), c = onArch(outer, double(i) / kStones);
         const vec2 d = onArch(inner, double(i + 1) / kStones);
         const vec2 e = onArch(outer, double(i + 1) / kStones);
         const float low = -kHalfDepth - reach, high = kHalfDepth + reach;
         // x runs along the arch, y outwards from its centre.
         b.hexahedron({vec3(a, low), vec3(d, low), vec3(c, low), vec3(e, low), vec3(a, high),
-                      vec3(d, high), vec3(c, high), vec3(e, high)}, 0.012f);
+                      vec3(d, high), vec3(c, high), vec3(e, high)},
+                     0.012f);
     }
+}
+
+void ceiling(MeshBuilder& b) {
+    b.use(Mat::woodDark).grain({1, 0, 0});
+    b.box({-kHalfBay, 3.98f, -kArcadeDepth}, {kHalfBay, 4.08f, -kHalfDepth});
+    b.grain({0, 0, 1});
+    for (const float x : {-0.8f, 0.8f})
+        b.box({x - 0.11f, 3.74f, -kArcadeDepth}, {x + 0.11f, 3.98f, -kHalfDepth}, 0.02f);
 }
 
 }  // namespace
 
+/// The arch, and the ceiling behind it.
 MeshBuilder archPart() {
     MeshBuilder b;
     b.use(Mat::ashlar);
     spandrel(b);
     b.use(Mat::stone);
     voussoirs(b);
+    ceiling(b);
     return b;
 }
 
@@ -68,11 +80,12 @@ MeshBuilder columnPart() {
     MeshBuilder b;
     b.use(Mat::stone);
     b.box({-0.33f, 0, -0.33f}, {0.33f, 0.16f, 0.33f}, 0.015f);
-    b.lathe({{0.31f, 0.16f}, {0.33f, 0.19f}, {0.33f, 0.22f}, {0.31f, 0.25f}, {0.27f, 0.265f},
-             {0.255f, 0.29f}, {0.27f, 0.315f}, {0.285f, 0.33f}, {0.28f, 0.36f}, {0.25f, 0.375f},
-             {0.235f, 0.40f}, {0.232f, 0.9f}, {0.222f, 1.4f}, {0.207f, 1.8f}, {0.195f, 2.02f},
+    b.lathe({{0.31f, 0.16f},   {0.33f, 0.19f},   {0.33f, 0.22f},   {0.31f, 0.25f},  {0.27f, 0.265f},
+             {0.255f, 0.29f},  {0.27f, 0.315f},  {0.285f, 0.33f},  {0.28f, 0.36f},  {0.25f, 0.375f},
+             {0.235f, 0.40f},  {0.232f, 0.9f},   {0.222f, 1.4f},   {0.207f, 1.8f},  {0.195f, 2.02f},
              {0.215f, 2.035f}, {0.225f, 2.055f}, {0.215f, 2.075f}, {0.195f, 2.09f}, {0.20f, 2.14f},
-             {0.235f, 2.21f}, {0.29f, 2.29f}, {0.335f, 2.34f}, {0.34f, 2.36f}}, 16);
+             {0.235f, 2.21f},  {0.29f, 2.29f},   {0.335f, 2.34f},  {0.34f, 2.36f}},
+            16);
     b.box({-0.37f, 2.36f, -0.37f}, {0.37f, 2.5f, 0.37f}, 0.018f);
     return b;
 }
@@ -101,16 +114,6 @@ MeshBuilder arcadeFloorPart() {
             const float lift = 0.006f * unit(uint32_t(i), uint32_t(row), 301);
             b.box({x, -0.1f, z}, {x + kBay / 3, kArcadeFloor - lift, z + depth}, 0.010f);
         }
-    return b;
-}
-
-MeshBuilder arcadeCeilingPart() {
-    MeshBuilder b;
-    b.use(Mat::woodDark).grain({1, 0, 0});
-    b.box({-kHalfBay, 3.98f, -kArcadeDepth}, {kHalfBay, 4.08f, -kHalfDepth});
-    b.grain({0, 0, 1});
-    for (const float x : {-0.8f, 0.8f})
-        b.box({x - 0.11f, 3.74f, -kArcadeDepth}, {x + 0.11f, 3.98f, -kHalfDepth}, 0.02f);
     return b;
 }
 

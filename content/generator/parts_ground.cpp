@@ -31,8 +31,8 @@ MeshBuilder drainPart(float length) {
             return Vertex{{s, dip, z}, normal, {1, 0, 0}, vec2(s, z) / b.tile()};
         });
     }
-    b.use(Mat::soil).quad({-0.25f, -0.06f, length / 2}, {0.25f, -0.06f, length / 2}, {0.25f, -0.06f, -length / 2},
-                          {-0.25f, -0.06f, -length / 2});
+    b.use(Mat::soil).quad({-0.25f, -0.06f, length / 2}, {0.25f, -0.06f, length / 2},
+                          {0.25f, -0.06f, -length / 2}, {-0.25f, -0.06f, -length / 2});
     b.use(Mat::stoneDark);
     for (const float side : {-1.0f, 1.0f}) {  // the risers between channel and setts
         const float x = 0.25f * side, z = length / 2 * side;

@@ -68,8 +68,14 @@ MeshBuilder stringCoursePart(int bays) {
     MeshBuilder b;
     b.use(Mat::stone);
     const float half = kBay * float(bays) / 2;
-    b.moulding({{0, -0.12f}, {0.06f, -0.12f}, {0.06f, -0.06f}, {0.09f, -0.03f}, {0.13f, 0.0f},
-                {0.13f, 0.07f}, {0, 0.12f}}, -half, half);
+    b.moulding({{0, -0.12f},
+                {0.06f, -0.12f},
+                {0.06f, -0.06f},
+                {0.09f, -0.03f},
+                {0.13f, 0.0f},
+                {0.13f, 0.07f},
+                {0, 0.12f}},
+               -half, half);
     return b;
 }
 
@@ -77,11 +83,21 @@ MeshBuilder cornicePart(int bays) {
     MeshBuilder b;
     b.use(Mat::stone);
     const float half = kBay * float(bays) / 2;
-    b.moulding({{0, -0.42f}, {0.05f, -0.42f}, {0.05f, -0.32f}, {0.09f, -0.29f}, {0.12f, -0.24f},
-                {0.12f, -0.20f}, {0.26f, -0.20f}, {0.26f, -0.12f}, {0.29f, -0.09f}, {0.33f, -0.02f},
-                {0.33f, 0.02f}, {0, 0.02f}}, -half, half);
+    b.moulding({{0, -0.42f},
+                {0.05f, -0.42f},
+                {0.05f, -0.32f},
+                {0.09f, -0.29f},
+                {0.12f, -0.24f},
+                {0.12f, -0.20f},
+                {0.26f, -0.20f},
+                {0.26f, -0.12f},
+                {0.29f, -0.09f},
+                {0.33f, -0.02f},
+                {0.33f, 0.02f},
+                {0, 0.02f}},
+               -half, half);
     for (float x = -half + 0.2f; x < half - 0.1f; x += 0.4f)  // modillions
-        b.box({x - 0.07f, -0.33f, 0.0f}, {x + 0.07f, -0.20f, 0.22f}, 0.008f);
+        b.box({x - 0.07f, -0.33f, 0.0f}, {x + 0.07f, -0.20f, 0.22f});
     return b;
 }
 
@@ -95,18 +111,21 @@ MeshBuilder roofPart(int bays) {
         const float z = reach + kEaves, y = -kRise * kEaves;
         b.hexahedron({vec3(-half, ridge, 0), vec3(half, ridge, 0), vec3(-half, ridge + thick, 0),
                       vec3(half, ridge + thick, 0), vec3(-half, y, z), vec3(half, y, z),
-                      vec3(-half, y + thick, z), vec3(half, y + thick, z)}, 0.015f);
+                      vec3(-half, y + thick, z), vec3(half, y + thick, z)},
+                     0.015f);
         // The last tiles over the gutter.
         const int tiles = int(half * 2 / 0.32f + 0.5f);
         for (int i = 0; i < tiles; ++i) {
             const float x = -half + 0.16f + 0.32f * float(i);
-            const vec3 path[2] = {{x, y + thick + 0.13f, z - 0.28f}, {x, y + thick - 0.035f, z + 0.05f}};
+            const vec3 path[2] = {{x, y + thick + 0.13f, z - 0.28f},
+                                  {x, y + thick - 0.035f, z + 0.05f}};
             b.tube(path, 0.085f, 6);
         }
     }
     b.placeRotated({0, 0, -reach}, quat(1, 0, 0, 0));
     for (float x = -half; x < half - 0.2f; x += 0.4f) {
-        const vec3 path[2] = {{x + 0.01f, ridge + thick - 0.02f, 0}, {x + 0.40f, ridge + thick + 0.005f, 0}};
+        const vec3 path[2] = {{x + 0.01f, ridge + thick - 0.02f, 0},
+                              {x + 0.40f, ridge + thick + 0.005f, 0}};
         b.tube(path, 0.125f, 8);
     }
     return b;
@@ -119,7 +138,13 @@ MeshBuilder chimneyPart() {
     b.use(Mat::terracotta);
     for (const float x : {-0.2f, 0.2f}) {
         b.place({x, 1.27f, 0});
-        b.lathe({{0.13f, 0}, {0.10f, 0.35f}, {0.125f, 0.37f}, {0.125f, 0.41f}, {0.08f, 0.41f}, {0.08f, 0.1f}}, 12);
+        b.lathe({{0.13f, 0},
+                 {0.10f, 0.35f},
+                 {0.125f, 0.37f},
+                 {0.125f, 0.41f},
+                 {0.08f, 0.41f},
+                 {0.08f, 0.1f}},
+                12);
     }
     return b;
 }

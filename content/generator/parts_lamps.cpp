@@ -17,8 +17,14 @@ MeshBuilder lanternPart() {
     MeshBuilder b;
     b.use(Mat::iron);
     b.lathe({{0.012f, -0.03f}, {0.030f, -0.02f}, {0.030f, 0.0f}, {0.012f, 0.01f}}, 8);
-    b.lathe({{0.19f, -0.14f}, {0.20f, -0.125f}, {0.13f, -0.09f}, {0.075f, -0.07f}, {0.07f, -0.05f},
-             {0.03f, -0.03f}, {0, -0.028f}}, 12);
+    b.lathe({{0.19f, -0.14f},
+             {0.20f, -0.125f},
+             {0.13f, -0.09f},
+             {0.075f, -0.07f},
+             {0.07f, -0.05f},
+             {0.03f, -0.03f},
+             {0, -0.028f}},
+            12);
     b.lathe({{0, -0.135f}, {0.19f, -0.14f}}, 12);
     for (int i = 0; i < 4; ++i) {
         const vec3 bar[2] = {cageCorner(i, false), cageCorner(i, true)};
@@ -26,11 +32,6 @@ MeshBuilder lanternPart() {
         const vec3 rim[2] = {cageCorner(i, false), cageCorner((i + 1) % 4, false)};
         b.tube(rim, 0.010f, 4);
     }
-    return b;
-}
-
-MeshBuilder lanternGlassPart() {
-    MeshBuilder b;
     b.use(Mat::glass);
     for (int i = 0; i < 4; ++i) {
         const int j = (i + 1) % 4;
@@ -44,8 +45,14 @@ MeshBuilder lanternGlassPart() {
 MeshBuilder bulbPart() {
     MeshBuilder b;
     b.use(Mat::bulbWarm);
-    b.lathe({{0, -0.36f}, {0.030f, -0.35f}, {0.050f, -0.325f}, {0.055f, -0.29f}, {0.045f, -0.25f},
-             {0.026f, -0.21f}, {0.022f, -0.14f}}, 12);
+    b.lathe({{0, -0.36f},
+             {0.030f, -0.35f},
+             {0.050f, -0.325f},
+             {0.055f, -0.29f},
+             {0.045f, -0.25f},
+             {0.026f, -0.21f},
+             {0.022f, -0.14f}},
+            12);
     return b;
 }
 
@@ -54,16 +61,33 @@ MeshBuilder lampPostPart() {
     MeshBuilder b;
     b.use(Mat::stone).box({-0.28f, -0.05f, -0.28f}, {0.28f, 0.22f, 0.28f}, 0.025f);
     b.use(Mat::iron);
-    b.lathe({{0.20f, 0.22f}, {0.21f, 0.27f}, {0.16f, 0.34f}, {0.13f, 0.50f}, {0.12f, 0.80f}, {0.14f, 0.86f},
-             {0.10f, 0.93f}, {0.075f, 1.05f}, {0.060f, 2.4f}, {0.085f, 2.46f}, {0.085f, 2.52f}, {0.055f, 2.58f},
-             {0.045f, 3.55f}, {0.075f, 3.60f}, {0.075f, 3.66f}, {0.04f, 3.72f}, {0.055f, 3.84f}, {0.035f, 3.95f},
-             {0, 4.02f}}, 14);
+    b.lathe({{0.20f, 0.22f},
+             {0.21f, 0.27f},
+             {0.16f, 0.34f},
+             {0.13f, 0.50f},
+             {0.12f, 0.80f},
+             {0.14f, 0.86f},
+             {0.10f, 0.93f},
+             {0.075f, 1.05f},
+             {0.060f, 2.4f},
+             {0.085f, 2.46f},
+             {0.085f, 2.52f},
+             {0.055f, 2.58f},
+             {0.045f, 3.55f},
+             {0.075f, 3.60f},
+             {0.075f, 3.66f},
+             {0.04f, 3.72f},
+             {0.055f, 3.84f},
+             {0.035f, 3.95f},
+             {0, 4.02f}},
+            14);
     for (const double yaw : {0.0, 0.5}) {
         b.place(vec3(0), yaw);
         std::vector<vec3> arm, scroll;
         for (int i = 0; i <= 10; ++i) {
             const double t = 0.5 * i / 10;
-            arm.push_back({0.335f - 0.285f * float(cosTurns(t)), 3.56f + 0.20f * float(sinTurns(t)), 0});
+            arm.push_back(
+                {0.335f - 0.285f * float(cosTurns(t)), 3.56f + 0.20f * float(sinTurns(t)), 0});
         }
         arm.push_back({0.62f, 3.50f, 0});
         b.tube(arm, 0.020f, 8);
@@ -89,7 +113,8 @@ MeshBuilder wallBracketPart() {
     std::vector<vec3> brace;
     for (int i = 0; i <= 8; ++i) {
         const double t = 0.25 * i / 8;
-        brace.push_back({0, -0.36f + 0.37f * float(sinTurns(t)), 0.42f - 0.42f * float(cosTurns(t))});
+        brace.push_back(
+            {0, -0.36f + 0.37f * float(sinTurns(t)), 0.42f - 0.42f * float(cosTurns(t))});
     }
     b.tube(brace, 0.012f, 6);
     return b;

@@ -6,7 +6,8 @@ MeshBuilder benchPart() {
     MeshBuilder b;
     b.use(Mat::iron);
     for (const float x : {-0.72f, 0.72f}) {
-        for (const float z : {-0.18f, 0.20f}) b.box({x - 0.03f, 0, z - 0.03f}, {x + 0.03f, 0.42f, z + 0.03f}, 0.006f);
+        for (const float z : {-0.18f, 0.20f})
+            b.box({x - 0.03f, 0, z - 0.03f}, {x + 0.03f, 0.42f, z + 0.03f}, 0.006f);
         b.box({x - 0.03f, 0.38f, -0.20f}, {x + 0.03f, 0.42f, 0.22f}, 0.006f);
         b.placeRotated({x, 0.42f, -0.19f}, rotationTurns({1, 0, 0}, -0.03));
         b.box({-0.025f, -0.04f, -0.02f}, {0.025f, 0.48f, 0.02f}, 0.006f);
@@ -26,15 +27,27 @@ MeshBuilder benchPart() {
 MeshBuilder barrelPart() {
     MeshBuilder b;
     b.use(Mat::wood);
-    b.lathe({{0.27f, 0}, {0.315f, 0.18f}, {0.345f, 0.36f}, {0.35f, 0.46f}, {0.345f, 0.56f}, {0.315f, 0.74f},
-             {0.27f, 0.92f}, {0.235f, 0.92f}, {0.235f, 0.87f}}, 20);
+    b.lathe({{0.27f, 0},
+             {0.315f, 0.18f},
+             {0.345f, 0.36f},
+             {0.35f, 0.46f},
+             {0.345f, 0.56f},
+             {0.315f, 0.74f},
+             {0.27f, 0.92f},
+             {0.235f, 0.92f},
+             {0.235f, 0.87f}},
+            20);
     b.grain({1, 0, 0});
     b.lathe({{0.24f, 0.87f}, {0, 0.87f}}, 20);
     b.use(Mat::iron);
-    for (const vec2& hoop : {vec2(0.275f, 0.04f), vec2(0.328f, 0.22f), vec2(0.328f, 0.66f), vec2(0.278f, 0.84f)}) {
+    for (const vec2& hoop :
+         {vec2(0.275f, 0.04f), vec2(0.328f, 0.22f), vec2(0.328f, 0.66f), vec2(0.278f, 0.84f)}) {
         const float slope = hoop.y < 0.46f ? 0.010f : -0.010f;
-        b.lathe({{hoop.x - 0.02f, hoop.y}, {hoop.x + 0.012f, hoop.y}, {hoop.x + 0.012f + slope, hoop.y + 0.05f},
-                 {hoop.x - 0.02f, hoop.y + 0.05f}}, 20);
+        b.lathe({{hoop.x - 0.02f, hoop.y},
+                 {hoop.x + 0.012f, hoop.y},
+                 {hoop.x + 0.012f + slope, hoop.y + 0.05f},
+                 {hoop.x - 0.02f, hoop.y + 0.05f}},
+                20);
     }
     return b;
 }
@@ -42,13 +55,16 @@ MeshBuilder barrelPart() {
 MeshBuilder cratePart() {
     MeshBuilder b;
     const float s = 0.36f, h = 0.62f;
-    b.use(Mat::wood).grain({1, 0, 0}).box({-s + 0.02f, 0.02f, -s + 0.02f}, {s - 0.02f, h - 0.02f, s - 0.02f});
+    b.use(Mat::wood).grain({1, 0, 0}).box({-s + 0.02f, 0.02f, -s + 0.02f},
+                                          {s - 0.02f, h - 0.02f, s - 0.02f});
     for (int side = 0; side < 4; ++side) {
         b.place(vec3(0), 0.25 * side);
         b.grain({1, 0, 0});
-        for (const float y : {0.0f, h - 0.10f}) b.box({-s, y, s - 0.03f}, {s, y + 0.10f, s + 0.01f}, 0.006f);
+        for (const float y : {0.0f, h - 0.10f})
+            b.box({-s, y, s - 0.03f}, {s, y + 0.10f, s + 0.01f}, 0.006f);
         b.use(Mat::wood);
-        for (const float x : {-s, s - 0.10f}) b.box({x + 0.011f, 0.10f, s - 0.03f}, {x + 0.09f, h - 0.10f, s + 0.006f}, 0.006f);
+        for (const float x : {-s, s - 0.10f})
+            b.box({x + 0.011f, 0.10f, s - 0.03f}, {x + 0.09f, h - 0.10f, s + 0.006f});
     }
     return b;
 }
@@ -56,8 +72,17 @@ MeshBuilder cratePart() {
 MeshBuilder sackPart() {
     MeshBuilder b;
     b.use(Mat::clothBlue);
-    b.lathe({{0.20f, 0}, {0.27f, 0.04f}, {0.31f, 0.16f}, {0.30f, 0.34f}, {0.24f, 0.50f}, {0.12f, 0.58f},
-             {0.07f, 0.61f}, {0.10f, 0.66f}, {0.14f, 0.72f}, {0, 0.68f}}, 16, 0.85f);
+    b.lathe({{0.20f, 0},
+             {0.27f, 0.04f},
+             {0.31f, 0.16f},
+             {0.30f, 0.34f},
+             {0.24f, 0.50f},
+             {0.12f, 0.58f},
+             {0.07f, 0.61f},
+             {0.10f, 0.66f},
+             {0.14f, 0.72f},
+             {0, 0.68f}},
+            16, 0.85f);
     return b;
 }
 
@@ -92,8 +117,10 @@ MeshBuilder awningPart() {
     constexpr int kColumns = 20, kRows = 10;
     b.grid(kColumns, kRows, [&](int i, int j) {
         const float u = float(i) / kColumns, v = 1 - float(j) / kRows, e = 0.01f;
-        const vec3 right = sheet(u + e, v) - sheet(u - e, v), up = sheet(u, v - e) - sheet(u, v + e);
-        return Vertex{sheet(u, v), normalize(cross(right, up)), normalize(right), {3.2f * u, 2.1f * v}};
+        const vec3 right = sheet(u + e, v) - sheet(u - e, v),
+                   up = sheet(u, v - e) - sheet(u, v + e);
+        return Vertex{
+            sheet(u, v), normalize(cross(right, up)), normalize(right), {3.2f * u, 2.1f * v}};
     });
     // The valance, cut in scallops.
     constexpr int kScallops = 48;
@@ -102,7 +129,9 @@ MeshBuilder awningPart() {
         const vec3 rail = sheet(u, 1);
         const float drop = 0.20f + 0.07f * std::fabs(float(sinTurns(double(u) * 6.4)));
         const float wave = 0.02f * float(sinTurns(double(u) * 9));
-        return Vertex{rail + vec3(0, j ? 0 : -drop, j ? 0 : wave), {0, 0, 1}, {1, 0, 0},
+        return Vertex{rail + vec3(0, j ? 0 : -drop, j ? 0 : wave),
+                      {0, 0, 1},
+                      {1, 0, 0},
                       {3.2f * u, j ? 0.1f : 0.1f + drop}};
     });
     return b;
@@ -114,8 +143,10 @@ MeshBuilder producePart(uint32_t seed) {
     Random random(seed);
     b.use(Mat::wood).grain({1, 0, 0});
     b.box({-0.42f, 0, -0.30f}, {0.42f, 0.03f, 0.30f});
-    for (const float z : {-0.30f, 0.27f}) b.box({-0.42f, 0.03f, z}, {0.42f, 0.14f, z + 0.03f}, 0.005f);
-    for (const float x : {-0.42f, 0.39f}) b.box({x, 0.03f, -0.27f}, {x + 0.03f, 0.14f, 0.27f}, 0.005f);
+    for (const float z : {-0.30f, 0.27f})
+        b.box({-0.42f, 0.03f, z}, {0.42f, 0.14f, z + 0.03f}, 0.005f);
+    for (const float x : {-0.42f, 0.39f})
+        b.box({x, 0.03f, -0.27f}, {x + 0.03f, 0.14f, 0.27f}, 0.005f);
     b.use(Mat::terracotta);
     for (int i = 0; i < 24; ++i) {
         const float x = -0.32f + 0.128f * float(i % 6) + random.range(-0.012f, 0.012f);
@@ -130,7 +161,8 @@ MeshBuilder cartPart() {
     MeshBuilder b;
     b.use(Mat::wood).grain({0, 0, 1});
     b.box({-0.6f, 0.62f, -0.9f}, {0.6f, 0.68f, 0.9f}, 0.008f);
-    for (const float x : {-0.62f, 0.57f}) b.box({x, 0.68f, -0.9f}, {x + 0.05f, 0.98f, 0.9f}, 0.008f);
+    for (const float x : {-0.62f, 0.57f})
+        b.box({x, 0.68f, -0.9f}, {x + 0.05f, 0.98f, 0.9f}, 0.008f);
     b.use(Mat::wood).grain({1, 0, 0});
     b.box({-0.57f, 0.68f, -0.9f}, {0.57f, 0.98f, -0.85f}, 0.008f);
     b.use(Mat::woodDark).grain({0, 0, 1});
@@ -147,7 +179,8 @@ MeshBuilder cartPart() {
             b.hexahedron({vec3(-0.035f, 0.43f * c, -0.43f * s), vec3(0.035f, 0.43f * c, -0.43f * s),
                           vec3(-0.035f, 0.5f * c, -0.5f * s), vec3(0.035f, 0.5f * c, -0.5f * s),
                           vec3(-0.035f, 0.43f * c, 0.43f * s), vec3(0.035f, 0.43f * c, 0.43f * s),
-                          vec3(-0.035f, 0.5f * c, 0.5f * s), vec3(0.035f, 0.5f * c, 0.5f * s)}, 0.004f);
+                          vec3(-0.035f, 0.5f * c, 0.5f * s), vec3(0.035f, 0.5f * c, 0.5f * s)},
+                         0.004f);
         }
     return b;
 }

@@ -3,11 +3,12 @@
 namespace rushlight::content {
 namespace {
 
-/// A leaf card around a point: `facing` is its normal, turned by `roll` turns in its plane. The shading normal leans
-/// to `shade`, so that a crown of cards is lit like a round thing.
+/// A leaf card around a point: `facing` is its normal, turned by `roll` turns in its plane. The
+/// shading normal leans to `shade`, so that a crown of cards is lit like a round thing.
 void leafCard(MeshBuilder& b, const vec3& center, const vec3& facing, double roll, float size,
               const vec3& shade) {
-    const vec3 side = normalize(cross(std::fabs(facing.y) < 0.9f ? vec3(0, 1, 0) : vec3(1, 0, 0), facing));
+    const vec3 side =
+        normalize(cross(std::fabs(facing.y) < 0.9f ? vec3(0, 1, 0) : vec3(1, 0, 0), facing));
     const vec3 over = cross(facing, side);
     const float c = float(cosTurns(roll)), s = float(sinTurns(roll)), h = size / 2;
     const vec3 right = side * c + over * s, up = over * c - side * s;
@@ -25,13 +26,14 @@ vec3 randomDirection(Random& random) {
     return {around.x * r, y, around.z * r};
 }
 
-void crown(MeshBuilder& b, Random& random, const vec3& center, const vec3& radii, int cards, float size) {
+void crown(MeshBuilder& b, Random& random, const vec3& center, const vec3& radii, int cards,
+           float size) {
     for (int i = 0; i < cards; ++i) {
         const vec3 out = randomDirection(random);
         const float reach = random.range(0.62f, 1.0f);
         const vec3 facing = normalize(out + 0.6f * randomDirection(random));
-        leafCard(b, center + out * radii * reach, facing, double(random.next()), size * random.range(0.8f, 1.2f),
-                 normalize(out + vec3(0, 0.25f, 0)));
+        leafCard(b, center + out * radii * reach, facing, double(random.next()),
+                 size * random.range(0.8f, 1.2f), normalize(out + vec3(0, 0.25f, 0)));
     }
 }
 
@@ -40,8 +42,17 @@ void crown(MeshBuilder& b, Random& random, const vec3& center, const vec3& radii
 MeshBuilder potPart() {
     MeshBuilder b;
     b.use(Mat::terracotta);
-    b.lathe({{0.24f, 0}, {0.26f, 0.02f}, {0.30f, 0.22f}, {0.345f, 0.44f}, {0.38f, 0.46f}, {0.39f, 0.50f},
-             {0.38f, 0.55f}, {0.34f, 0.56f}, {0.32f, 0.54f}, {0.31f, 0.46f}}, 20);
+    b.lathe({{0.24f, 0},
+             {0.26f, 0.02f},
+             {0.30f, 0.22f},
+             {0.345f, 0.44f},
+             {0.38f, 0.46f},
+             {0.39f, 0.50f},
+             {0.38f, 0.55f},
+             {0.34f, 0.56f},
+             {0.32f, 0.54f},
+             {0.31f, 0.46f}},
+            20);
     b.use(Mat::soil);
     b.lathe({{0.33f, 0.48f}, {0.15f, 0.50f}, {0, 0.51f}}, 20);
     return b;
@@ -59,11 +70,19 @@ MeshBuilder bushPart(uint32_t seed) {
 MeshBuilder treeTrunkPart() {
     MeshBuilder b;
     b.use(Mat::woodDark);
-    b.lathe({{0.17f, -0.1f}, {0.13f, 0.15f}, {0.105f, 0.6f}, {0.095f, 1.3f}, {0.085f, 1.9f}, {0.05f, 2.4f}, {0, 2.9f}}, 10);
+    b.lathe({{0.17f, -0.1f},
+             {0.13f, 0.15f},
+             {0.105f, 0.6f},
+             {0.095f, 1.3f},
+             {0.085f, 1.9f},
+             {0.05f, 2.4f},
+             {0, 2.9f}},
+            10);
     for (int i = 0; i < 6; ++i) {
         const vec3 out = yawDirection(i / 6.0 + 0.05 * unit(uint32_t(i), 501));
         const float y = 1.55f + 0.14f * float(i);
-        const vec3 path[3] = {vec3(0, y, 0), vec3(0, y + 0.28f, 0) + 0.35f * out, vec3(0, y + 0.75f, 0) + 0.72f * out};
+        const vec3 path[3] = {vec3(0, y, 0), vec3(0, y + 0.28f, 0) + 0.35f * out,
+                              vec3(0, y + 0.75f, 0) + 0.72f * out};
         b.tube(path, 0.032f, 6);
     }
     return b;
@@ -86,10 +105,12 @@ MeshBuilder ivyPart(float width, float height, uint32_t seed) {
     const int cards = int(width * height * 7);
     for (int i = 0; i < cards; ++i) {
         const float t = random.next() * random.next();
-        const float reach = width / 2 * (1 - 0.65f * t) * (0.75f + 0.25f * float(sinTurns(double(t) * 3 + 0.1)));
+        const float reach =
+            width / 2 * (1 - 0.65f * t) * (0.75f + 0.25f * float(sinTurns(double(t) * 3 + 0.1)));
         const vec3 center(random.range(-reach, reach) + 0.15f * float(sinTurns(double(t) * 1.3)),
                           0.15f + height * t, random.range(0.05f, 0.16f));
-        const vec3 facing = normalize(vec3(random.range(-0.4f, 0.4f), random.range(-0.1f, 0.5f), 1));
+        const vec3 facing =
+            normalize(vec3(random.range(-0.4f, 0.4f), random.range(-0.1f, 0.5f), 1));
         leafCard(b, center, facing, double(random.next()), random.range(0.35f, 0.55f),
                  normalize(vec3(0.5f * facing.x, 0.2f, 1)));
     }

@@ -38,7 +38,8 @@ int paeth(int left, int up, int corner) {
     return dl <= du && dl <= dc ? left : du <= dc ? up : corner;
 }
 
-/// The five filters of the specification (9.2); the one with the smallest sum of absolute residuals wins.
+/// The five filters of the specification (9.2); the one with the smallest sum of absolute residuals
+/// wins.
 void putFilteredRow(std::vector<uint8_t>& out, const Picture& p, int y) {
     const size_t stride = size_t(p.width) * size_t(p.channels);
     const uint8_t* row = p.bytes.data() + size_t(y) * stride;
@@ -88,8 +89,10 @@ void writeFile(const std::filesystem::path& path, std::span<const uint8_t> bytes
     file.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
     file.close();
     if (file) return;
-    std::fprintf(stderr, "rushlight-content: error: %s: the file could not be written; check that "
-                         "the folder exists and has room.\n", path.string().c_str());
+    std::fprintf(stderr,
+                 "rushlight-content: error: %s: the file could not be written; check that "
+                 "the folder exists and has room.\n",
+                 path.string().c_str());
     std::exit(3);
 }
 

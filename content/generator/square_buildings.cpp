@@ -19,13 +19,20 @@ struct HouseKit {
 };
 
 HouseKit makeKit(Document& d) {
-    HouseKit kit{d.addPart("window", windowPart()), d.addPart("shutter", shutterPart()),
-                 d.addPart("door", doorPart()), d.addPart("doorstep", doorStepPart()),
-                 d.addPart("chimney", chimneyPart()), {}, {}, {}, {}, {}};
+    HouseKit kit{d.addPart("window", windowPart()),
+                 d.addPart("shutter", shutterPart()),
+                 d.addPart("door", doorPart()),
+                 d.addPart("doorstep", doorStepPart()),
+                 d.addPart("chimney", chimneyPart()),
+                 {},
+                 {},
+                 {},
+                 {},
+                 {}};
     for (const int bays : {2, 3}) {
         for (const int storeys : {1, 2})
-            kit.upper[{bays, storeys}] = d.addPart(
-                numbered("house.upper", 10 * bays + storeys), upperWallPart(bays, storeys));
+            kit.upper[{bays, storeys}] = d.addPart(numbered("house.upper", 10 * bays + storeys),
+                                                   upperWallPart(bays, storeys));
         for (int door = 0; door < bays; ++door)
             kit.ground[{bays, door}] =
                 d.addPart(numbered("house.ground", 10 * bays + door), groundWallPart(bays, door));
@@ -36,8 +43,8 @@ HouseKit makeKit(Document& d) {
     return kit;
 }
 
-void addWindow(Square& s, const HouseKit& kit, int house, const vec3& local,
-               Mat paint, bool shutters) {
+void addWindow(Square& s, const HouseKit& kit, int house, const vec3& local, Mat paint,
+               bool shutters) {
     Document& d = s.document;
     const auto n = uint32_t(s.windows++);
     const bool lit = unit(n, 701) < 0.36f;
@@ -50,8 +57,10 @@ void addWindow(Square& s, const HouseKit& kit, int house, const vec3& local,
         const float h = kWindowWidth / 2;
         const bool closed = !lit && unit(n, 702) > 0.84f;
         const double open = closed ? 0.02 : 0.455 + 0.035 * double(unit(n, 703, side > 0));
-        const vec3 hinge(float(side) * (h + (closed ? 0.01f : 0.135f)), -0.01f, closed ? 0.14f : 0.065f);
-        // The leaf lies over +x; the left one is turned by the opening, the right one starts from its far side.
+        const vec3 hinge(float(side) * (h + (closed ? 0.01f : 0.135f)), -0.01f,
+                         closed ? 0.14f : 0.065f);
+        // The leaf lies over +x; the left one is turned by the opening, the right one starts from
+        // its far side.
         const double yaw = side < 0 ? open : 0.5 - open;
         d.addNode(name + (side < 0 ? ".shutter.left" : ".shutter.right"), window, at(hinge, -yaw),
                   d.mesh(kit.shutter, {{Mat::paintGreen, paint}}));
@@ -69,7 +78,8 @@ int addUpper(Square& s, const HouseKit& kit, const WallFrame& row, float x, floa
               d.mesh(kit.upper.at({spec.bays, spec.storeys}), plaster));
     for (int storey = 0; storey < spec.storeys; ++storey) {
         const float y = base + kStorey * float(storey);
-        d.addNode(name + numbered(".string", storey), house, at({0, y, 0}), d.mesh(kit.string.at(spec.bays)));
+        d.addNode(name + numbered(".string", storey), house, at({0, y, 0}),
+                  d.mesh(kit.string.at(spec.bays)));
         for (int i = 0; i < spec.bays; ++i) {
             const vec3 local(kBay * (float(i) - 0.5f * float(spec.bays - 1)), y + kWindowSill, 0);
             addWindow(s, kit, house, local, spec.paint, true);
@@ -80,13 +90,14 @@ int addUpper(Square& s, const HouseKit& kit, const WallFrame& row, float x, floa
     d.addNode(name + ".roof", house, at({0, top + 0.03f, 0}), d.mesh(kit.roof.at(spec.bays)));
     const float side = kBay * 0.5f * float(spec.bays) - 1.1f;
     d.addNode(name + ".chimney", house,
-              at({unit(uint32_t(number), 711) > 0.5f ? side : -side, top + 2.2f, -kHouseDepth / 2 + 1.1f}),
+              at({unit(uint32_t(number), 711) > 0.5f ? side : -side, top + 2.2f,
+                  -kHouseDepth / 2 + 1.1f}),
               d.mesh(kit.chimney));
     return house;
 }
 
 struct ArcadeKit {
-    int arch, floor, ceiling, column, pier, back, backWithDoor;
+    int arch, floor, column, pier, back, backWithDoor;
 };
 
 void addArcade(Square& s, const ArcadeKit& kit, const HouseKit& house, const std::string& stem,
@@ -97,7 +108,8 @@ void addArcade(Square& s, const ArcadeKit& kit, const HouseKit& house, const std
     for (int i = 0; i <= bays; ++i) {
         const bool end = i == 0 || i == bays;
         d.addNode(numbered((stem + (end ? ".pier" : ".column")).c_str(), i), root,
-                  at({kBay * (float(i) - 0.5f * float(bays)), kArcadeFloor, 0}), d.mesh(end ? kit.pier : kit.column));
+                  at({kBay * (float(i) - 0.5f * float(bays)), kArcadeFloor, 0}),
+                  d.mesh(end ? kit.pier : kit.column));
     }
     for (int i = 0; i < bays; ++i) {
         const float x = kBay * (float(i) - 0.5f * float(bays - 1));
@@ -107,16 +119,17 @@ void addArcade(Square& s, const ArcadeKit& kit, const HouseKit& house, const std
         const bool hasDoor = i % 3 == 1;
         piece(".floor", 0, kit.floor);
         piece(".arch", kArcadeFloor, kit.arch);
-        piece(".ceiling", kArcadeFloor, kit.ceiling);
         piece(".back", kArcadeFloor, hasDoor ? kit.backWithDoor : kit.back);
         const Mat paints[] = {Mat::paintGreen, Mat::paintBlue, Mat::paintRed, Mat::wood};
         if (hasDoor)
-            d.addNode(numbered((stem + ".door").c_str(), i), root, at({x, kArcadeFloor, -kArcadeDepth}),
+            d.addNode(numbered((stem + ".door").c_str(), i), root,
+                      at({x, kArcadeFloor, -kArcadeDepth}),
                       d.mesh(house.door, {{Mat::paintGreen, paints[(i / 3) % 4]}}));
         else
             d.addNode(numbered((stem + ".window").c_str(), i), root,
                       at({x, kArcadeFloor + 1.0f, -kArcadeDepth}),
-                      d.mesh(house.window, i % 2 ? Repaint{} : Repaint{{Mat::windowLit, Mat::windowDark}}));
+                      d.mesh(house.window,
+                             i % 2 ? Repaint{} : Repaint{{Mat::windowLit, Mat::windowDark}}));
     }
 }
 
@@ -141,7 +154,8 @@ void addRow(Square& s, const HouseKit& kit, const WallFrame& row, float base, bo
                 addWindow(s, kit, house, {local, 0.35f + kWindowSill, 0}, spec.paint, false);
                 continue;
             }
-            d.addNode(name + ".door", house, at({local, 0.3f, 0}), d.mesh(kit.door, {{Mat::paintGreen, spec.paint}}));
+            d.addNode(name + ".door", house, at({local, 0.3f, 0}),
+                      d.mesh(kit.door, {{Mat::paintGreen, spec.paint}}));
             d.addNode(name + ".steps", house, at({local, 0, 0}), d.mesh(kit.step));
         }
     }
@@ -150,10 +164,14 @@ void addRow(Square& s, const HouseKit& kit, const WallFrame& row, float base, bo
 void addTower(Square& s) {
     Document& d = s.document;
     const int tower = d.addNode("tower", -1, at(kTowerAt));
-    d.addNode("tower.shaft", tower, at(vec3(0)), d.mesh(d.addPart("tower.shaft", towerShaftPart())));
-    d.addNode("tower.belfry", tower, at({0, kTowerShaft, 0}), d.mesh(d.addPart("tower.belfry", belfryPart())));
-    d.addNode("tower.roof", tower, at({0, kTowerShaft + 5.21f, 0}), d.mesh(d.addPart("tower.roof", towerRoofPart())));
-    d.addNode("tower.bell", tower, at({0, kTowerShaft + 4.02f, 0}), d.mesh(d.addPart("tower.bell", bellPart())));
+    d.addNode("tower.shaft", tower, at(vec3(0)),
+              d.mesh(d.addPart("tower.shaft", towerShaftPart())));
+    d.addNode("tower.belfry", tower, at({0, kTowerShaft, 0}),
+              d.mesh(d.addPart("tower.belfry", belfryPart())));
+    d.addNode("tower.roof", tower, at({0, kTowerShaft + 5.21f, 0}),
+              d.mesh(d.addPart("tower.roof", towerRoofPart())));
+    d.addNode("tower.bell", tower, at({0, kTowerShaft + 4.02f, 0}),
+              d.mesh(d.addPart("tower.bell", bellPart())));
 }
 
 void addTownWall(Square& s) {
@@ -165,9 +183,11 @@ void addTownWall(Square& s) {
     int number = 0;
     const float gate = -kGateX;
     for (int i = 0; i < 4; ++i)
-        d.addNode(numbered("wall", ++number), root, at({gate - 3.6f - kWallSegment * (float(i) + 0.5f), 0, 0}), d.mesh(part));
+        d.addNode(numbered("wall", ++number), root,
+                  at({gate - 3.6f - kWallSegment * (float(i) + 0.5f), 0, 0}), d.mesh(part));
     for (int i = 0; i < 6; ++i)
-        d.addNode(numbered("wall", ++number), root, at({gate + 3.6f + kWallSegment * (float(i) + 0.5f), 0, 0}), d.mesh(part));
+        d.addNode(numbered("wall", ++number), root,
+                  at({gate + 3.6f + kWallSegment * (float(i) + 0.5f), 0, 0}), d.mesh(part));
     d.addNode("gate", root, at({gate, 0, 0.45f}), d.mesh(d.addPart("gate", gateTowerPart())));
     const int leaf = d.mesh(d.addPart("gate.leaf", gateLeafPart()));
     d.addNode("gate.leaf.left", root, at({gate - 1.66f, 0, -0.75f}, 0.27), leaf);
@@ -179,20 +199,28 @@ void addTownWall(Square& s) {
 void buildBuildings(Square& s) {
     Document& d = s.document;
     const HouseKit kit = makeKit(d);
-    const ArcadeKit arcade{d.addPart("arcade.arch", archPart()), d.addPart("arcade.floor", arcadeFloorPart()),
-                           d.addPart("arcade.ceiling", arcadeCeilingPart()), d.addPart("arcade.column", columnPart()),
-                           d.addPart("arcade.pier", pierPart()), d.addPart("arcade.back", arcadeBackPart(false)),
+    const ArcadeKit arcade{d.addPart("arcade.arch", archPart()),
+                           d.addPart("arcade.floor", arcadeFloorPart()),
+                           d.addPart("arcade.column", columnPart()),
+                           d.addPart("arcade.pier", pierPart()),
+                           d.addPart("arcade.back", arcadeBackPart(false)),
                            d.addPart("arcade.back.door", arcadeBackPart(true))};
     addArcade(s, arcade, kit, "arcade.north", northArcade(), 11);
     addArcade(s, arcade, kit, "arcade.west", westArcade(), 10);
     int number = 0;
     const float overArcade = kArcadeFloor + kArcadeHeight;
-    const HouseSpec north[] = {{3, 2, Mat::plasterOchre, Mat::paintGreen}, {2, 1, Mat::plasterRose, Mat::paintBlue},
-                               {3, 2, Mat::plasterCream, Mat::paintRed}, {3, 1, Mat::plasterOchre, Mat::paintBlue}};
-    const HouseSpec west[] = {{3, 1, Mat::plasterCream, Mat::paintBlue}, {2, 2, Mat::plasterOchre, Mat::paintRed},
-                              {2, 1, Mat::brick, Mat::paintGreen}, {3, 1, Mat::plasterRose, Mat::paintGreen}};
-    const HouseSpec east[] = {{3, 2, Mat::plasterRose, Mat::paintGreen}, {2, 1, Mat::plasterCream, Mat::paintRed},
-                              {3, 2, Mat::brick, Mat::paintBlue}, {3, 1, Mat::plasterOchre, Mat::paintGreen}};
+    const HouseSpec north[] = {{3, 2, Mat::plasterOchre, Mat::paintGreen},
+                               {2, 1, Mat::plasterRose, Mat::paintBlue},
+                               {3, 2, Mat::plasterCream, Mat::paintRed},
+                               {3, 1, Mat::plasterOchre, Mat::paintBlue}};
+    const HouseSpec west[] = {{3, 1, Mat::plasterCream, Mat::paintBlue},
+                              {2, 2, Mat::plasterOchre, Mat::paintRed},
+                              {2, 1, Mat::brick, Mat::paintGreen},
+                              {3, 1, Mat::plasterRose, Mat::paintGreen}};
+    const HouseSpec east[] = {{3, 2, Mat::plasterRose, Mat::paintGreen},
+                              {2, 1, Mat::plasterCream, Mat::paintRed},
+                              {3, 2, Mat::brick, Mat::paintBlue},
+                              {3, 1, Mat::plasterOchre, Mat::paintGreen}};
     const WallFrame rows[] = {northArcade(), westArcade(), eastRow()};
     // The upper fronts stand 6 cm behind the arches' faces.
     addRow(s, kit, {rows[0].point({0, 0, 0.19f}), rows[0].yaw}, overArcade, false, north, number);

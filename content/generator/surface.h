@@ -22,11 +22,11 @@ struct Texel {
 using TexelFunction = std::function<Texel(float u, float v)>;
 
 struct SurfaceSpec {
-    std::string name;      ///< files are NAME_color.png, NAME_normal.png, NAME_orm.png
-    int size = 512;        ///< pixels, of colour and normal; the packed map has half of it
-    float metres = 1;      ///< what one tile covers
-    float occlusion = 1;   ///< strength of the cavity term
-    bool alpha = false;    ///< writes RGBA
+    std::string name;     ///< files are NAME_color.png, NAME_normal.png, NAME_orm.png
+    int size = 512;       ///< pixels, of colour and normal; the packed map has half of it
+    float metres = 1;     ///< what one tile covers
+    float occlusion = 1;  ///< strength of the cavity term
+    bool alpha = false;   ///< writes RGBA
     TexelFunction texel;
 };
 

@@ -40,7 +40,8 @@ SurfaceSpec metalSurface() {
         const float tarnish = smooth(0.50f, 0.72f, wear);
         Texel t;
         t.height = 0.0011f * saturate(dent.edge * 2) + 0.0006f * grain;
-        t.color = mix(vec3(0.84f), vec3(0.60f, 0.58f, 0.55f), tarnish) * (0.9f + 0.2f * (grain - 0.5f));
+        t.color =
+            mix(vec3(0.84f), vec3(0.60f, 0.58f, 0.55f), tarnish) * (0.9f + 0.2f * (grain - 0.5f));
         t.roughness = 0.36f + 0.3f * tarnish + 0.12f * grain;
         t.metallic = 1 - 0.35f * tarnish;
         return t;
@@ -69,21 +70,22 @@ SurfaceSpec clothSurface(const vec3& stripe, const std::string& name) {
 }
 
 SurfaceSpec leafSurface() {
-    // Leaves lie over each other on a card: each a pointed oval with a rib, the later ones in front.
+    // Leaves lie over each other on a card: each a pointed oval with a rib, the later ones in
+    // front.
     const auto texel = [](float u, float v) {
-        constexpr uint32_t kLeaves = 110;
+        constexpr uint32_t kLeaves = 170;
         Texel t;
         t.alpha = 0;
         t.color = vec3(0.17f, 0.22f, 0.09f);
         t.roughness = 0.62f;
         for (uint32_t i = 0; i < kLeaves; ++i) {
             const double angle = double(unit(i, 171));
-            const float reach = 0.40f * std::sqrt(unit(i, 172));
+            const float reach = 0.42f * std::sqrt(unit(i, 172));
             const float cx = 0.5f + reach * float(sinTurns(angle));
             const float cy = 0.5f + reach * float(cosTurns(angle));
             const double turn = angle + 0.28 * (double(unit(i, 173)) - 0.5);
             const float s = float(sinTurns(turn)), c = float(cosTurns(turn));
-            const float half = 0.052f + 0.030f * unit(i, 174);
+            const float half = 0.056f + 0.032f * unit(i, 174);
             const float along = ((u - cx) * s + (v - cy) * c) / half;
             const float across = ((u - cx) * c - (v - cy) * s) / half;
             if (along < -1 || along > 1) continue;
@@ -92,10 +94,12 @@ SurfaceSpec leafSurface() {
             if (inside <= 0) continue;
             const float depth = float(i) / kLeaves;
             const float rib = 1 - smooth(0.015f, 0.055f, std::fabs(across));
-            const float veins = smooth(0.6f, 0.95f, float(sinTurns(double(along * 3 - std::fabs(across) * 3))));
+            const float veins =
+                smooth(0.6f, 0.95f, float(sinTurns(double(along * 3 - std::fabs(across) * 3))));
             t.alpha = smooth(0, 0.04f, inside);
             t.height = 0.012f * depth + half * 0.16f * (outline - across * across) - 0.0016f * rib;
-            const vec3 dark(0.19f, 0.29f, 0.10f), fresh(0.36f, 0.46f, 0.17f), dry(0.50f, 0.45f, 0.18f);
+            const vec3 dark(0.19f, 0.29f, 0.10f), fresh(0.36f, 0.46f, 0.17f),
+                dry(0.50f, 0.45f, 0.18f);
             vec3 leaf = mix(dark, fresh, unit(i, 175));
             if (unit(i, 176) > 0.93f) leaf = dry;
             t.color = leaf * (0.55f + 0.45f * depth) * (1 + 0.22f * rib - 0.08f * veins);

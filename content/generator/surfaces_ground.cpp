@@ -25,7 +25,8 @@ SurfaceSpec cobbleSurface() {
         const float shade = 0.33f + 0.15f * unit(cell.id, 4) + 0.07f * (grain - 0.5f);
         const vec3 warm(1.06f, 0.99f, 0.90f), cool(0.94f, 0.99f, 1.05f);
         vec3 sett = shade * mix(warm, cool, unit(cell.id, 5));
-        if (unit(cell.id, 6) > 0.9f) sett *= vec3(1.15f, 0.93f, 0.82f);  // a porphyry here and there
+        if (unit(cell.id, 6) > 0.9f)
+            sett *= vec3(1.15f, 0.93f, 0.82f);  // a porphyry here and there
         sett *= 0.88f + 0.24f * patch;
         const vec3 earth = vec3(0.20f, 0.175f, 0.14f) * (0.8f + 0.4f * grain);
         const vec3 moss(0.20f, 0.23f, 0.10f);
@@ -51,7 +52,8 @@ SurfaceSpec gravelSurface() {
         t.height = 0.012f * soil + lump;
         const vec3 stone = mix(vec3(0.46f, 0.41f, 0.34f), vec3(0.36f, 0.35f, 0.34f), unit(id, 2)) *
                            (0.7f + 0.5f * unit(id, 3));
-        t.color = mix(vec3(0.27f, 0.215f, 0.155f), stone, smooth(0.004f, 0.010f, lump + 0.006f * soil));
+        t.color =
+            mix(vec3(0.27f, 0.215f, 0.155f), stone, smooth(0.004f, 0.010f, lump + 0.006f * soil));
         t.roughness = 0.9f - 0.1f * unit(id, 4);
         return t;
     };
@@ -61,7 +63,8 @@ SurfaceSpec gravelSurface() {
 SurfaceSpec waterSurface() {
     const auto texel = [](float u, float v) {
         Texel t;
-        t.height = 0.020f * fractalNoise(u, v, 7, 7, 3, 61) + 0.012f * fractalNoise(v, u, 11, 11, 2, 62);
+        t.height =
+            0.020f * fractalNoise(u, v, 7, 7, 3, 61) + 0.012f * fractalNoise(v, u, 11, 11, 2, 62);
         t.color = vec3(0.75f, 0.85f, 0.85f);
         t.roughness = 0.04f;
         return t;

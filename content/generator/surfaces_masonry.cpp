@@ -12,7 +12,8 @@ struct Block {
     float edge = 0;  ///< distance to the nearest side of the block
 };
 
-/// `columns` blocks to a course whose joints move by up to `jitter` of a block; odd courses are shifted by half.
+/// `columns` blocks to a course whose joints move by up to `jitter` of a block; odd courses are
+/// shifted by half.
 Block layCourses(float u, float v, int columns, int rows, float jitter, uint32_t seed) {
     const float y = v * float(rows);
     const int row = int(std::floor(y));
@@ -44,11 +45,12 @@ SurfaceSpec ashlarSurface() {
         const float face = smooth(0.0015f, 0.0085f, block.edge);
 
         Texel t;
-        t.height = 0.012f * face + 0.004f * face * unit(block.id, 1) + 0.0022f * grain - 0.003f * pits * face;
+        t.height = 0.012f * face + 0.004f * face * unit(block.id, 1) + 0.0022f * grain -
+                   0.003f * pits * face;
         vec3 stone = mix(vec3(0.62f, 0.56f, 0.46f), vec3(0.56f, 0.54f, 0.50f), unit(block.id, 2));
         stone *= 0.86f + 0.20f * unit(block.id, 3);
         stone *= 0.86f + 0.22f * stain + 0.12f * (grain - 0.5f);
-        stone *= 1 - 0.22f * pits;
+        stone *= 1 - 0.12f * pits;
         t.color = mix(vec3(0.42f, 0.385f, 0.33f) * (0.8f + 0.3f * grain), stone, face);
         t.roughness = mixf(0.95f, 0.74f + 0.14f * stain, face);
         return t;
@@ -65,7 +67,7 @@ SurfaceSpec stoneSurface() {
         Texel t;
         t.height = 0.0024f * grain - 0.0024f * pits + 0.002f * bed;
         t.color = mix(vec3(0.66f, 0.61f, 0.52f), vec3(0.57f, 0.55f, 0.51f), bed) *
-                  (0.82f + 0.28f * stain + 0.14f * (grain - 0.5f)) * (1 - 0.2f * pits);
+                  (0.82f + 0.28f * stain + 0.14f * (grain - 0.5f)) * (1 - 0.11f * pits);
         t.roughness = 0.66f + 0.16f * grain + 0.12f * pits;
         return t;
     };
@@ -107,7 +109,8 @@ SurfaceSpec plasterSurface() {
         Texel t;
         t.height = 0.010f * trowel + 0.0013f * grain - 0.003f * fine;
         const float light = 0.86f + 0.10f * (trowel - 0.5f) + 0.05f * (grain - 0.5f) -
-                            0.16f * smooth(0.45f, 0.75f, stain) - 0.07f * smooth(0.5f, 0.8f, streak);
+                            0.16f * smooth(0.45f, 0.75f, stain) -
+                            0.07f * smooth(0.5f, 0.8f, streak);
         t.color = light * mix(vec3(1.0f, 0.985f, 0.955f), vec3(0.95f, 0.90f, 0.82f), stain);
         t.color *= 1 - 0.35f * fine;
         t.roughness = 0.84f + 0.1f * grain;
@@ -127,18 +130,19 @@ SurfaceSpec roofTileSurface() {
         const float x = at(drift);
         const int column = int(std::floor(x));
         const float across = 2 * (x - float(column)) - 1;
-        const uint32_t id = hash3(uint32_t(((column % kColumns) + kColumns) % kColumns), uint32_t(row), 132);
+        const uint32_t id =
+            hash3(uint32_t(((column % kColumns) + kColumns) % kColumns), uint32_t(row), 132);
         const float grain = fractalNoise(u, v, 64, 64, 3, 133);
         const float stain = fractalNoise(u, v, 3, 3, 4, 134);
         const float lichen = smooth(0.60f, 0.70f, fractalNoise(u, v, 14, 14, 4, 135));
 
         // A convex tile over the middle, a channel between two of them.
         const float wide = 0.70f + 0.05f * along;
-        const float cover = std::fabs(across) < wide
-                                ? std::sqrt(1 - across * across / (wide * wide)) : 0.0f;
+        const float cover =
+            std::fabs(across) < wide ? std::sqrt(1 - across * across / (wide * wide)) : 0.0f;
         Texel t;
-        t.height = 0.045f * cover + 0.016f * along + 0.006f * unit(id, 1) * cover + 0.0018f * grain -
-                   0.012f * smooth(0.94f, 1.0f, along);
+        t.height = 0.045f * cover + 0.016f * along + 0.006f * unit(id, 1) * cover +
+                   0.0018f * grain - 0.012f * smooth(0.94f, 1.0f, along);
         vec3 clay = mix(vec3(0.58f, 0.31f, 0.205f), vec3(0.46f, 0.27f, 0.20f), unit(id, 2));
         clay = mix(clay, vec3(0.66f, 0.45f, 0.31f), smooth(0.8f, 1, unit(id, 3)));
         clay *= 0.80f + 0.24f * unit(id, 4) + 0.18f * (grain - 0.5f);

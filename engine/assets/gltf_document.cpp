@@ -1,5 +1,6 @@
 #include "engine/assets/gltf_document.h"
 
+#include "engine/assets/gltf_meshopt.h"
 #include "engine/assets/gltf_schema.h"
 #include "engine/assets/input_error.h"
 
@@ -9,8 +10,6 @@
 
 namespace rushlight::assets {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr int kMaxJsonDepth = 64;
 
@@ -133,6 +132,7 @@ void buildStructs(GltfDocument& document, Json& json) {
 
 std::span<const uint8_t> GltfDocument::viewBytes(int bufferView) const {
     if (bufferView < 0) return {};
+    if (!decodedViews[size_t(bufferView)].empty()) return decodedViews[size_t(bufferView)];
     const tinygltf::BufferView& view = gltf.bufferViews[size_t(bufferView)];
     if (buffers[size_t(view.buffer)].empty())
         refuse(numbered("buffer", size_t(view.buffer)) +
@@ -148,9 +148,8 @@ GltfDocument readDocument(const std::filesystem::path& path, const LoadOptions& 
     Json json = parseJson(document.container.json);
     checkSchema(json);
     document.extensionsUsed = json.value("extensionsUsed", std::vector<std::string>());
-    document.owned.reserve(json.value("buffers", Json::array()).size() +
-                           json.value("images", Json::array()).size());
     readBuffers(document, json, options);
+    decodeMeshopt(document, json, options);
     const Json images = json.contains("images") ? Json{{"images", json["images"]}} : Json::object();
     buildStructs(document, json);
     readImages(document, images, options);

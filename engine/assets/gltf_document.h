@@ -25,6 +25,7 @@ struct GltfDocument {
     std::vector<std::span<const uint8_t>> buffers;
     std::vector<ImageSource> images;
     std::vector<std::string> extensionsUsed;
+    std::vector<std::span<const uint8_t>> decodedViews;  ///< of compressed buffer views; else empty
     std::vector<Bytes> owned;  ///< what the spans point into, besides `container`
 
     /// Empty when the view is -1.

@@ -1,34 +1,17 @@
 #include "engine/assets/gltf.h"
 
 #include "engine/assets/gltf_builder.h"
+#include "engine/assets/gltf_schema.h"
 #include "engine/assets/input_error.h"
 
-#include <array>
 #include <exception>
-#include <string_view>
 
 namespace rushlight::assets {
-namespace {
-
-/// Noted where they are used, so that a file that declares one without using it lists nothing.
-constexpr std::array<std::string_view, 7> kHandled = {
-    "KHR_lights_punctual",   "KHR_texture_transform", "KHR_materials_emissive_strength",
-    "KHR_materials_unlit",   "KHR_mesh_quantization", "EXT_texture_webp",
-    "EXT_mesh_gpu_instancing"};
-
-bool isHandled(std::string_view extension) {
-    for (std::string_view handled : kHandled)
-        if (handled == extension) return true;
-    return false;
-}
-
-}  // namespace
-
-/// Extensions of materials are noted with the materials that have them.
+/// Extensions of materials are noted with the materials that have them, most others where they are used.
 void GltfBuilder::noteExtensions() {
     for (const std::string& name : document_.extensionsUsed) {
-        if (name == "KHR_mesh_quantization") exact(name);
-        if (isHandled(name) || name.rfind("KHR_materials_", 0) == 0) continue;
+        if (name == "KHR_mesh_quantization" || name == "EXT_meshopt_compression") exact(name);
+        if (isSupportedExtension(name) || name.rfind("KHR_materials_", 0) == 0) continue;
         unsupported("extension " + name);
     }
 }

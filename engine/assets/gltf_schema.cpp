@@ -15,10 +15,10 @@ constexpr std::array<const char*, 13> kArrays = {
     "meshes",    "nodes",      "samplers", "scenes",     "skins",    "textures"};
 
 /// What loadModel does, exactly or as far as the picture is concerned; anything else required is refused.
-constexpr std::array<std::string_view, 7> kSupported = {
+constexpr std::array<std::string_view, 8> kSupported = {
     "KHR_lights_punctual",   "KHR_texture_transform", "KHR_materials_emissive_strength",
     "KHR_materials_unlit",   "KHR_mesh_quantization", "EXT_texture_webp",
-    "EXT_mesh_gpu_instancing"};
+    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression"};
 
 void checkAsset(const JsonObject& root) {
     const JsonObject asset(*root.object("asset", Need::required), "asset");
@@ -65,7 +65,7 @@ void checkExtensions(const JsonObject& root) {
     if (!root.has("extensionsRequired")) return;
     for (const Json& name : root.json()["extensionsRequired"]) {
         const auto required = name.get<std::string>();
-        if (std::find(kSupported.begin(), kSupported.end(), required) == kSupported.end())
+        if (!isSupportedExtension(required))
             refuse("uses " + required + ", which is not supported.");
         const Json used = root.json().value("extensionsUsed", Json::array());
         if (std::find(used.begin(), used.end(), name) == used.end())
@@ -135,6 +135,10 @@ Counts countArrays(const JsonObject& root) {
 }
 
 }  // namespace
+
+bool isSupportedExtension(std::string_view name) {
+    return std::find(kSupported.begin(), kSupported.end(), name) != kSupported.end();
+}
 
 void checkSchema(const Json& gltf) {
     const JsonObject root(gltf, "the glTF");

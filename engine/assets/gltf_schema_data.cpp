@@ -1,4 +1,5 @@
 // Buffers, views, accessors, images, textures, samplers, meshes.
+#include "engine/assets/gltf_meshopt.h"
 #include "engine/assets/gltf_schema_parts.h"
 
 #include <cfloat>
@@ -55,9 +56,8 @@ void checkPrimitive(const Counts& counts, const JsonObject& primitive) {
     primitive.index("indices", counts.accessors);
     primitive.index("material", counts.materials);
     primitive.integer("mode", 0, 6, Need::optional);
-    for (const char* name : {"KHR_draco_mesh_compression"})
-        if (findExtension(primitive, name))
-            primitive.wrong(std::string("it uses ") + name + ", which is not supported.");
+    if (findExtension(primitive, "KHR_draco_mesh_compression"))
+        primitive.wrong("it uses KHR_draco_mesh_compression, which is not supported.");
     forEach(
         primitive, "targets", "target",
         [&](const JsonObject& target) {
@@ -98,15 +98,12 @@ const Json* findExtension(const JsonObject& owner, const char* name) {
 
 void checkBuffers(const Counts& counts, const JsonObject& root) {
     forEach(root, "buffers", "buffer", [&](const JsonObject& buffer) {
-        if (findExtension(buffer, "EXT_meshopt_compression"))
-            buffer.wrong("it uses EXT_meshopt_compression, which is not supported.");
         buffer.text("uri");
         buffer.integer("byteLength", 1, kMaxBytes, Need::required);
     });
     forEach(root, "bufferViews", "buffer view", [&](const JsonObject& view) {
-        if (findExtension(view, "EXT_meshopt_compression"))
-            view.wrong("it uses EXT_meshopt_compression, which is not supported.");
         checkView(counts, root, view);
+        checkMeshoptView(root, view, counts.buffers);
     });
 }
 

@@ -45,10 +45,11 @@ void checkTarget(const Counts& counts, const JsonObject& root, const JsonObject&
     if (!findExtension(target, "KHR_animation_pointer"))
         target.oneOf("path", {"translation", "rotation", "scale", "weights"}, Need::required);
     if (node < 0) return;
+    const bool isWeights = target.json()["path"].get_ref<const std::string&>() == "weights";
     const Json& animated = root.json()["nodes"][size_t(node)];
-    if (animated.contains("matrix") && target.json()["path"] != "weights")
+    if (animated.contains("matrix") && !isWeights)
         target.wrong("it animates node " + std::to_string(node) + ", which has a matrix.");
-    if (target.json()["path"] == "weights" && !animated.contains("mesh"))
+    if (isWeights && !animated.contains("mesh"))
         target.wrong("it animates the weights of node " + std::to_string(node) +
                      ", which has no mesh.");
 }

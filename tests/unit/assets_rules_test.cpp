@@ -84,8 +84,8 @@ TEST(AssetsRules, SparseAccessors) {
     expectRefused(
         {{sparse, R"({"count":9,"indices":{"bufferView":3,"componentType":5123},"values":{"bufferView":1}})",
           "not from 1 to 3"},
-         {sparse, R"({"count":2,"indices":{"bufferView":4,"componentType":5121},"values":{"bufferView":1}})",
-          ""},
+         {sparse, R"({"count":3,"indices":{"bufferView":4,"componentType":5121},"values":{"bufferView":1}})",
+          "index 2 is 0 after 1"},
          {sparse, R"({"count":3,"indices":{"bufferView":5,"componentType":5125},"values":{"bufferView":1}})",
           "must increase"},
          {sparse, R"({"count":1,"indices":{"bufferView":3,"componentType":5126},"values":{"bufferView":1}})",

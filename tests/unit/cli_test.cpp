@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <string>
+
+namespace {
+
+struct Run {
+    int code = -1;
+    std::string errors;
+};
+
+/// Runs the tool; collects standard error alone.
+Run run(const std::string& arguments) {
+    Run result;
+    const std::string command = RUSHLIGHT_TOOL " " + arguments + " 2>&1 >/dev/null";
+    FILE* pipe = popen(command.c_str(), "r");
+    if (!pipe) return result;
+    char buffer[256];
+    while (const size_t count = fread(buffer, 1, sizeof buffer, pipe))
+        result.errors.append(buffer, count);
+    result.code = WEXITSTATUS(pclose(pipe));
+    return result;
+}
+
+void expectError(const std::string& arguments, int code) {
+    const Run result = run(arguments);
+    EXPECT_EQ(result.code, code) << arguments;
+    EXPECT_TRUE(result.errors.starts_with("rushlight: error: ")) << result.errors;
+    EXPECT_EQ(result.errors.find('\n'), result.errors.size() - 1) << result.errors;
+}
+
+TEST(Cli, HelpWorksForEverySubcommand) {
+    for (const char* command : {"", "capture ", "compare ", "bench ", "info ", "doctor "}) {
+        const Run result = run(std::string(command) + "--help");
+        EXPECT_EQ(result.code, 0) << command;
+        EXPECT_EQ(result.errors, "");
+    }
+}
+
+TEST(Cli, WrongUseIsTwo) {
+    for (const char* arguments :
+         {"", "nonsense", "capture", "capture a.glb", "capture a.glb -o a.png --save-frame f.rlf",
+          "capture a.glb -o a.png --size 0x5", "capture a.glb -o a.png --size 12",
+          "capture a.glb -o a.png --eye 1,2,3", "capture a.glb -o a.png --pass nonsense",
+          "capture a.glb -o a.bmp", "capture a.glb -o a.png --frames 0-3",
+          "capture a.glb -o %d.png --frames 3-0", "capture a.glb -o a.png --shadows maybe",
+          "compare a.png", "bench a.glb --frames 0"})
+        expectError(arguments, 2);
+}
+
+TEST(Cli, BadInputIsThree) {
+    expectError("info /nowhere/a.glb", 3);
+    expectError("capture /nowhere/a.glb -o /nowhere/a.png", 3);
+    expectError("compare /nowhere/a.png /nowhere/b.png", 3);
+}
+
+}  // namespace
