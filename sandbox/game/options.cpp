@@ -46,6 +46,10 @@ void addViewOptions(CLI::App& app, ViewerOptions& viewer) {
         ->default_str("neutral");
     app.add_option("--exposure-scale", viewer.settings.exposureScale, "linear factor on radiance")
         ->check(CLI::PositiveNumber);
+    app.add_option("--environment", viewer.environment,
+                   "panorama (.hdr, .exr) that lights the level and is its sky, such as "
+                   "content/square/dusk.hdr; default: an even evening sky")
+        ->check(CLI::ExistingFile);
     app.add_option("--shaders", viewer.shaderDirectory,
                    "folder to read shaders from, and to watch for changes")
         ->check(CLI::ExistingDirectory);

@@ -91,12 +91,15 @@ void OverlayUi::begin(const InputState& input, vec2 pixelsPerUnit, bool mouse, u
 }
 
 void OverlayUi::text(Anchor anchor, vec2 offset, std::string_view line, vec4 color, bool large) {
-    ImFont* font = large ? large_ : ImGui::GetFont();
     const char* begin = line.data();
     const char* end = begin + line.size();
-    const ImVec2 extent = font->CalcTextSizeA(
-        font->FontSize, std::numeric_limits<float>::max(), 0, begin, end);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const auto extentIn = [&](const ImFont* font) {
+        return font->CalcTextSizeA(font->FontSize, std::numeric_limits<float>::max(), 0, begin, end);
+    };
+    const bool fits = extentIn(large_).x <= size.x;
+    ImFont* font = large && fits ? large_ : ImGui::GetFont();
+    const ImVec2 extent = extentIn(font);
     vec2 at = offset;
     if (anchor != Anchor::topLeft) at.x += 0.5f * (size.x - extent.x);
     if (anchor == Anchor::center) at.y += 0.5f * (size.y - extent.y);
