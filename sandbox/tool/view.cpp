@@ -44,7 +44,8 @@ ViewerOptions viewerOptions(const ViewArguments& arguments) {
 
 void addView(CLI::App& app, Action& action) {
     auto arguments = std::make_shared<ViewArguments>();
-    CLI::App* command = app.add_subcommand("view", "A window to fly through a scene; Tab shows how");
+    CLI::App* command =
+        app.add_subcommand("view", "A window to fly through a scene; Tab shows how");
     addRenderOptions(*command, arguments->render);
     command->add_flag("--walk", arguments->walk, "Begin walking instead of flying");
     command->add_flag("!--no-vsync", arguments->verticalSync, "Do not wait for the display");

@@ -10,7 +10,8 @@
 namespace rushlight {
 namespace {
 
-constexpr float kSmallFont = 13;  // pixels: the built-in font is a bitmap and sharp at multiples of 13
+constexpr float kSmallFont =
+    13;  // pixels: the built-in font is a bitmap and sharp at multiples of 13
 constexpr float kLargeFont = 26;
 
 void style() {
@@ -95,7 +96,8 @@ void OverlayUi::text(Anchor anchor, vec2 offset, std::string_view line, vec4 col
     const char* end = begin + line.size();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const auto extentIn = [&](const ImFont* font) {
-        return font->CalcTextSizeA(font->FontSize, std::numeric_limits<float>::max(), 0, begin, end);
+        return font->CalcTextSizeA(font->FontSize, std::numeric_limits<float>::max(), 0, begin,
+                                   end);
     };
     const bool fits = extentIn(large_).x <= size.x;
     ImFont* font = large && fits ? large_ : ImGui::GetFont();
@@ -135,7 +137,8 @@ void OverlayUi::append(const ImDrawData& data) {
     }
 }
 
-/// An ImDrawCmd's indices count from its own vertex offset; the overlay's from the first vertex of all.
+/// An ImDrawCmd's indices count from its own vertex offset; the overlay's from the first vertex of
+/// all.
 void OverlayUi::appendBatches(const ImDrawList& list, uint32_t firstVertex, uint32_t firstIndex,
                               uvec2 size) {
     for (const ImDrawCmd& command : list.CmdBuffer) {

@@ -5,9 +5,9 @@
 
 namespace rushlight {
 
-/// Finds a file or folder that belongs to the program ("shaders", "content/square/square.gltf"): upwards from the
-/// program's own folder, as in the build tree, then in share/rushlight of an installation, then in the working
-/// directory. Empty when it is nowhere.
+/// Finds a file or folder that belongs to the program ("shaders", "content/square/square.gltf"):
+/// upwards from the program's own folder, as in the build tree, then in share/rushlight of an
+/// installation, then in the working directory. Empty when it is nowhere.
 std::filesystem::path findProgramFile(const std::filesystem::path& relative);
 
 /// `folder`/`stem`-NNN.`extension` with the first number that is free; the folder is made.
