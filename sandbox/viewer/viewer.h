@@ -55,7 +55,6 @@ struct ViewerOptions {
         lighting;  ///< ambient and background; the spans and the environment are set by the viewer
     FrameSettings settings;
     std::string shaderDirectory;  ///< empty: found beside the program, else those compiled in
-    std::string cacheDirectory;
     uint32_t frames = 0;  ///< ends after so many, which then last 1/60 s each; 0: runs until closed
     std::string
         screenshot;  ///< a file for the last frame's picture; with `frames` 0 one frame is drawn

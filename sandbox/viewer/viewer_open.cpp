@@ -69,7 +69,7 @@ Result<void> ViewerApp::openRenderer() {
     desc.loadGl = window_->loader();
     desc.jobs = jobs_.get();
     desc.log = {writeLog, const_cast<ViewerOptions*>(&options_)};
-    desc.cacheDirectory = options_.cacheDirectory;
+    desc.cacheDirectory = userCacheDirectory();
     desc.shaderDirectory = shaderDirectory_;
     auto renderer = Renderer::create(desc);
     if (!renderer) return tl::unexpected(renderer.error());
