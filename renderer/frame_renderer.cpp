@@ -2,6 +2,7 @@
 
 #include "renderer/frame/lighting_setup.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -22,6 +23,20 @@ SamplerHandle clampingSampler(Device& device, bool mipmaps, bool compare) {
     desc.useMipmaps = mipmaps;
     desc.compareGreaterEqual = compare;
     return device.createSampler(desc);
+}
+
+// What falls off the end waits in `spare`, so that frames with now more, now fewer passes make no allocations.
+void resizeKeepingMemory(std::vector<PassReport>& reports, std::vector<PassReport>& spare,
+                         size_t count) {
+    while (reports.size() > count) {
+        spare.push_back(std::move(reports.back()));
+        reports.pop_back();
+    }
+    while (reports.size() < count) {
+        if (spare.empty()) spare.emplace_back();
+        reports.push_back(std::move(spare.back()));
+        spare.pop_back();
+    }
 }
 
 }  // namespace
@@ -339,7 +354,7 @@ Result<void> FrameRenderer::planDebugView(const FrameInput& input, const FinalTa
                         float(LightClusters::kSlices), 0};
     in.depthDecode = camera.depthDecode;
     in.orthographic = !camera.perspective;
-    in.nearestDepth = camera.nearPlane;
+    in.nearestDepth = std::max(camera.nearPlane, 0.01f);  // an orthographic one may be behind the eye
     const Aabb bounds = sceneBounds();
     if (!bounds.isEmpty())
         in.farthestDepth =
@@ -371,7 +386,7 @@ void FrameRenderer::fillReport(const FrameInput& input) {
     r.draws = 0;
     r.triangles = 0;
     r.gpuMs = 0;
-    r.passes.resize(plan_.keptPassCount());
+    resizeKeepingMemory(r.passes, sparePassReports_, plan_.keptPassCount());
     for (uint32_t i = 0; i < plan_.keptPassCount(); ++i) {
         PassReport& pass = r.passes[i];
         const PassExecution& done = execution_.passes[i];

@@ -88,6 +88,7 @@ private:
     CommandBuffer commands_;
     ExecutionReport execution_;
     FrameReport report_;
+    std::vector<PassReport> sparePassReports_;
     std::vector<ResolvedInstance> resolved_;
     DrawList opaque_, blended_, movingEmission_;
     std::array<DrawList, 4> casters_;
