@@ -19,6 +19,10 @@ int main(int argc, char** argv) {
         return 3;
     }
     options->viewer.lighting = duskLighting();
+    if (const auto sky = findProgramFile("content/square/dusk.hdr"); !sky.empty()) {
+        options->viewer.environment = sky.string();
+        options->viewer.lighting.background = Background::environment;
+    }
     options->viewer.allocationCount = allocationCount;
     options->viewer.pinRasterThreads = true;
     DuskGame game(options->allLit);
