@@ -10,7 +10,7 @@ namespace rushlight {
 namespace {
 
 constexpr uint32_t kMaxSide = 16384;  // pixels
-constexpr float kDuskExposure = 1.6f;  // shade is readable, the lamps keep their colour
+constexpr float kDuskExposure = 1.35f;  // shade is readable, the lamps keep their colour
 
 /// "1280x720"
 std::string readSize(const std::string& text, ViewerOptions& options) {
@@ -45,7 +45,7 @@ void addViewOptions(CLI::App& app, ViewerOptions& viewer) {
     app.add_option("--tonemap", viewer.settings.toneMap, "none, neutral, agx or aces")
         ->transform(CLI::CheckedTransformer(toneMaps))
         ->default_str("neutral");
-    app.add_option("--exposure-scale", viewer.settings.exposureScale, "linear factor on radiance (1.6)")
+    app.add_option("--exposure-scale", viewer.settings.exposureScale, "linear factor on radiance (1.35)")
         ->check(CLI::PositiveNumber);
     app.add_option("--shaders", viewer.shaderDirectory,
                    "folder to read shaders from, and to watch for changes")
