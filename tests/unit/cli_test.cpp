@@ -6,14 +6,14 @@
 
 namespace {
 
-struct Run {
+struct Ended {
     int code = -1;
     std::string errors;
 };
 
 /// Runs the tool; collects standard error alone.
-Run run(const std::string& arguments) {
-    Run result;
+Ended run(const std::string& arguments) {
+    Ended result;
     const std::string command = RUSHLIGHT_TOOL " " + arguments + " 2>&1 >/dev/null";
     FILE* pipe = popen(command.c_str(), "r");
     if (!pipe) return result;
@@ -25,7 +25,7 @@ Run run(const std::string& arguments) {
 }
 
 void expectError(const std::string& arguments, int code) {
-    const Run result = run(arguments);
+    const Ended result = run(arguments);
     EXPECT_EQ(result.code, code) << arguments;
     EXPECT_TRUE(result.errors.starts_with("rushlight: error: ")) << result.errors;
     EXPECT_EQ(result.errors.find('\n'), result.errors.size() - 1) << result.errors;
@@ -33,7 +33,7 @@ void expectError(const std::string& arguments, int code) {
 
 TEST(Cli, HelpWorksForEverySubcommand) {
     for (const char* command : {"", "capture ", "compare ", "bench ", "info ", "doctor "}) {
-        const Run result = run(std::string(command) + "--help");
+        const Ended result = run(std::string(command) + "--help");
         EXPECT_EQ(result.code, 0) << command;
         EXPECT_EQ(result.errors, "");
     }
