@@ -70,7 +70,7 @@ Result<View> SceneFrames::viewOf(const SceneView& wanted) const {
     return fail(model_.path, "There is no camera \"" + wanted.camera + "\" in a node.");
 }
 
-Result<CapturedImage> SceneFrames::render(const SceneView& wanted) {
+Result<CapturedImage> SceneFrames::render(const SceneView& wanted, const FrameOptions& options) {
     FrameInput input;
     bridge_->fill(input);
     const auto view = viewOf(wanted);
@@ -84,7 +84,7 @@ Result<CapturedImage> SceneFrames::render(const SceneView& wanted) {
         input.lighting.ambientSky = input.lighting.ambientGround = vec3(0.3f);
     }
     const auto ticket = renderer_.renderOffscreen(input, wanted.width, wanted.height,
-                                                  CaptureKind::display, FrameOptions{});
+                                                  CaptureKind::display, options);
     if (!ticket) return tl::unexpected(ticket.error());
     CapturedImage image;
     if (!renderer_.takeCapture(*ticket, true, image))

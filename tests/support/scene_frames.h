@@ -26,7 +26,7 @@ public:
                                                      const std::string& environment);
     ~SceneFrames();
 
-    Result<CapturedImage> render(const SceneView& view);
+    Result<CapturedImage> render(const SceneView& view, const FrameOptions& options = {});
 
 private:
     explicit SceneFrames(Renderer& renderer) : renderer_(renderer) {}

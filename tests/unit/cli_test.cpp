@@ -46,7 +46,11 @@ TEST(Cli, WrongUseIsTwo) {
           "capture a.glb -o a.png --eye 1,2,3", "capture a.glb -o a.png --pass nonsense",
           "capture a.glb -o a.bmp", "capture a.glb -o a.png --frames 0-3",
           "capture a.glb -o %d.png --frames 3-0", "capture a.glb -o a.png --shadows maybe",
-          "compare a.png", "bench a.glb --frames 0"})
+          "compare a.png", "bench a.glb --frames 0",
+          "capture a.glb -o a.png --exposure-scale nan", "capture a.glb -o a.png --fov nan",
+          "capture a.glb -o a.png --environment-rotation inf",
+          "capture a.glb -o a.png --size 99999x99999", "capture a.glb -o %d.png --frames 0-1 --fps nan",
+          "compare a.png b.png --flip nan", "compare a.png b.png --pixels-per-degree nan"})
         expectError(arguments, 2);
 }
 
