@@ -77,7 +77,7 @@ void LightClusters::build(const CameraMatrices& camera, uint32_t width, uint32_t
     sliceEdges_.resize(kSlices + 1);
     for (uint32_t s = 0; s <= kSlices; ++s)
         sliceEdges_[s] = nearest * std::pow(farthest / nearest, float(s) / kSlices);
-    sliceEdges_[0] = 0;
+    sliceEdges_[0] = std::min(camera.nearPlane, 0.0f);  // an orthographic view may begin behind the eye
     sliceEdges_[kSlices] = std::numeric_limits<float>::max();
 
     for (uint32_t i = 0; i < visibleLights; ++i) {
@@ -90,9 +90,11 @@ void LightClusters::build(const CameraMatrices& camera, uint32_t width, uint32_t
     for (const Reference& r : references_)
         if (clusters[r.cluster] < kMaxPerCluster) ++clusters[r.cluster];
         else ++droppedReferences;
+    const uint32_t fair = fairListLength();
     uint32_t first = 0;
     for (uint32_t& cluster : clusters) {
-        const uint32_t count = cluster;
+        const uint32_t count = std::min(cluster, fair);
+        droppedReferences += cluster - count;
         cluster = first << kCountBits;
         first += count;
     }
@@ -100,10 +102,27 @@ void LightClusters::build(const CameraMatrices& camera, uint32_t width, uint32_t
     for (const Reference& r : references_) {
         uint32_t& cluster = clusters[r.cluster];
         const uint32_t count = cluster & kMaxPerCluster;
-        if (count == kMaxPerCluster) continue;
+        if (count == fair) continue;
         indices[(cluster >> kCountBits) + count] = r.light;
         ++cluster;
     }
+}
+
+// The longest that lists may be so that the first indices of all fit their bits: every froxel loses its last lights
+// before any loses all.
+uint32_t LightClusters::fairListLength() const {
+    const auto total = [&](uint32_t longest) {
+        uint64_t sum = 0;
+        for (uint32_t count : clusters) sum += std::min(count, longest);
+        return sum;
+    };
+    if (references_.size() < kMaxReferences) return kMaxPerCluster;
+    uint32_t fits = 0, tooLong = kMaxPerCluster + 1;
+    while (tooLong - fits > 1) {
+        const uint32_t middle = (fits + tooLong) / 2;
+        (total(middle) < kMaxReferences ? fits : tooLong) = middle;
+    }
+    return fits;
 }
 
 void LightClusters::addReferences(const CameraMatrices& camera, uint16_t light, const vec3& p,

@@ -27,12 +27,14 @@ static_assert(sizeof(GpuLight) == 48);
 struct LightClusters {
     static constexpr uint32_t kCountBits = 10;
     static constexpr uint32_t kMaxPerCluster = (1u << kCountBits) - 1;
+    static constexpr uint32_t kMaxReferences = 1u << (32 - kCountBits);  ///< of all froxels together
     static constexpr uint32_t kSlices = 16;
 
     uint32_t tilesX = 1, tilesY = 1;
     float sliceScale = 0, sliceBias = 0;  ///< slice = log2(viewDepth) * scale + bias
     uint32_t visibleLights = 0;
-    uint32_t droppedReferences = 0;  ///< lists that were full; 0 unless 1,023 lights reach one froxel
+    /// Lights left out of lists: 0 unless over 1,023 reach one froxel or the lists hold over 4,194,303 together.
+    uint32_t droppedReferences = 0;
     std::vector<GpuLight> lights;    ///< the visible ones
     std::vector<uint32_t> clusters;
     std::vector<uint16_t> indices;
@@ -46,6 +48,7 @@ private:
         uint32_t cluster;
         uint16_t light;
     };
+    uint32_t fairListLength() const;
     void addReferences(const CameraMatrices&, uint16_t light, const vec3& viewPosition, float range);
 
     std::vector<Reference> references_;

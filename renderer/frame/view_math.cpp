@@ -66,13 +66,22 @@ Result<CameraMatrices> makeCamera(const View& view, float targetAspect) {
     };
     if (!isFinite(view.viewFromWorld) || std::abs(glm::determinant(view.viewFromWorld)) < 1e-12f)
         return wrong("viewFromWorld is not finite or cannot be inverted.");
+    if (!isFinite(view.previousViewFromWorld))
+        return wrong("previousViewFromWorld is not finite.");
+    if (!std::isfinite(view.nearPlane) || !std::isfinite(view.farPlane) ||
+        !std::isfinite(view.aspect))
+        return wrong("the near plane is " + std::to_string(view.nearPlane) + " m, the far plane " +
+                     std::to_string(view.farPlane) + " m and the aspect " +
+                     std::to_string(view.aspect) +
+                     "; all must be finite (a far plane of 0 stands for infinity).");
     if (!(view.nearPlane > 0) && view.perspective)
         return wrong("the near plane is " + std::to_string(view.nearPlane) +
                      " m; a perspective view needs more than 0.");
     if (view.perspective && !(view.verticalFov > 0 && view.verticalFov < 3.1f))
         return wrong("the vertical field of view is " + std::to_string(view.verticalFov) +
                      " rad; it must be above 0 and below 3.1.");
-    if (!view.perspective && !(view.orthoHalfHeight > 0 && view.farPlane > view.nearPlane))
+    if (!view.perspective && !(view.orthoHalfHeight > 0 && std::isfinite(view.orthoHalfHeight) &&
+                               view.farPlane > view.nearPlane))
         return wrong("an orthographic view needs a positive height and far > near.");
     if (view.farPlane != 0 && !(view.farPlane > view.nearPlane))
         return wrong("the far plane is not beyond the near plane.");

@@ -19,6 +19,8 @@ int main(int argc, char** argv) {
         return 3;
     }
     options->viewer.lighting = duskLighting();
+    if (!options->viewer.environment.empty())
+        options->viewer.lighting.background = Background::environment;
     options->viewer.allocationCount = allocationCount;
     options->viewer.pinRasterThreads = true;
     DuskGame game(options->allLit);

@@ -3,10 +3,6 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
-#include <filesystem>
-#include <fstream>
-#include <stdlib.h>
-
 namespace rushlight {
 
 TestContext::TestContext() {
@@ -30,22 +26,6 @@ TestContext::~TestContext() {
 
 void* TestContext::load(const char* name) {
     return reinterpret_cast<void*>(eglGetProcAddress(name));
-}
-
-TemporaryDirectory::TemporaryDirectory() {
-    path_ = (std::filesystem::temp_directory_path() / "rushlight-XXXXXX").string();
-    if (!mkdtemp(path_.data())) abort();
-}
-
-TemporaryDirectory::~TemporaryDirectory() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-}
-
-void TemporaryDirectory::write(const std::string& name, const std::string& text) const {
-    const std::filesystem::path path = std::filesystem::path(path_) / name;
-    std::filesystem::create_directories(path.parent_path());
-    std::ofstream(path, std::ios::binary) << text;
 }
 
 }  // namespace rushlight

@@ -1,7 +1,7 @@
 #pragma once
 // A current OpenGL 4.5 core context with no window and no surface, for tests.
 
-#include <string>
+#include "tests/support/temporary_directory.h"
 
 namespace rushlight {
 
@@ -18,21 +18,6 @@ public:
 private:
     void* display_ = nullptr;
     void* context_ = nullptr;
-};
-
-/// A directory of its own that is removed at the end.
-class TemporaryDirectory {
-public:
-    TemporaryDirectory();
-    ~TemporaryDirectory();
-    TemporaryDirectory(const TemporaryDirectory&) = delete;
-    TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-
-    const std::string& path() const { return path_; }
-    void write(const std::string& name, const std::string& text) const;
-
-private:
-    std::string path_;
 };
 
 }  // namespace rushlight

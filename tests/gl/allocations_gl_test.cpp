@@ -1,0 +1,35 @@
+// "Allocates nothing per frame once warm", with GL. The driver's own memory comes from malloc and does not count.
+#include "tests/support/test_context.h"
+#include "tests/support/warm_frames.h"
+
+namespace rushlight {
+namespace {
+
+class AllocationsGl : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(context_.valid());
+        RendererDesc desc;
+        desc.loadGl = TestContext::load;
+        renderer = std::move(Renderer::create(desc).value());
+    }
+    TestContext context_;
+    std::unique_ptr<Renderer> renderer;
+};
+
+// Seeds with and without an environment, shadows, automatic exposure.
+TEST_F(AllocationsGl, WarmCapturesMakeNone) {
+    for (uint64_t seed : {1, 2}) {
+        RandomScene scene(*renderer, seed);
+        EXPECT_EQ(allocationsOfWarmCaptures(*renderer, scene), 0u) << "seed " << seed;
+    }
+}
+
+TEST_F(AllocationsGl, WarmFramesWithBoundsMakeNone) {
+    RandomScene scene(*renderer, 3);
+    scene.settings.show = ShownImage::bounds;
+    EXPECT_EQ(allocationsOfWarmCaptures(*renderer, scene), 0u);
+}
+
+}  // namespace
+}  // namespace rushlight
