@@ -244,6 +244,7 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
     b.linearSampler = linearSampler_;
     if (environment) {
         b.environment = environment->specular;
+        b.irradiance = environment->irradiance;
         b.sky = environment->background;
         auto table = environments.brdfTable();
         if (!table) return tl::unexpected(table.error());
