@@ -11,6 +11,7 @@ namespace rushlight {
 namespace {
 
 constexpr uint32_t kMaxSide = 16384;
+constexpr uint32_t kCameraLists = 3;
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
@@ -151,6 +152,16 @@ Result<void> FrameRenderer::prepareResources() {
     return materials.flush(*moved);
 }
 
+// The camera's three lists, then the cascades'.
+DrawList& FrameRenderer::viewList(uint32_t index) {
+    switch (index) {
+        case 0: return opaque_;
+        case 1: return blended_;
+        case 2: return movingEmission_;
+        default: return casters_[index - kCameraLists];
+    }
+}
+
 // Resolves instances, then culls, sorts and lists every view at the same time.
 void FrameRenderer::gatherViews(const FrameInput& input, const CameraMatrices& camera) {
     resolveInstances(input.instances, input.previousTransforms.size(), geometry, materials,
@@ -158,26 +169,29 @@ void FrameRenderer::gatherViews(const FrameInput& input, const CameraMatrices& c
     planShadows(input, camera);
 
     const bool cull = input.settings.frustumCulling;
-    const uint32_t listCount = 3 + cascades_.count;
+    const uint32_t listCount = kCameraLists + cascades_.count;
     jobs_.forRanges(listCount, 1, [&](uint32_t begin, uint32_t end) {
         for (uint32_t i = begin; i < end; ++i) {
-            const auto gather = [&](DrawList& list, DrawListKind kind, const Frustum& frustum) {
-                list.gather(kind, input.instances, resolved_, frustum, camera.position,
-                            camera.forward, cull);
+            const auto gather = [&](DrawListKind kind, auto&& sees) {
+                viewList(i).gather(kind, input.instances, resolved_, camera.position,
+                                   camera.forward, sees);
             };
-            if (i == 0) gather(opaque_, DrawListKind::opaque, camera.frustum);
-            else if (i == 1) gather(blended_, DrawListKind::blend, camera.frustum);
-            else if (i == 2) gather(movingEmission_, DrawListKind::movingEmission, camera.frustum);
-            else gather(casters_[i - 3], DrawListKind::shadow, cascades_.cascades[i - 3].frustum);
+            const auto inCamera = [&](const vec3& center, const vec3& halfExtent) {
+                return !cull || intersects(camera.frustum, center, halfExtent);
+            };
+            const auto inCascade = [&](const vec3& center, const vec3& halfExtent) {
+                return !cull || cascades_.needs(i - kCameraLists, center, halfExtent);
+            };
+            if (i == 0) gather(DrawListKind::opaque, inCamera);
+            else if (i == 1) gather(DrawListKind::blend, inCamera);
+            else if (i == 2) gather(DrawListKind::movingEmission, inCamera);
+            else gather(DrawListKind::shadow, inCascade);
         }
     });
-    const auto list = [&](uint32_t i) -> DrawList& {
-        return i == 0 ? opaque_ : i == 1 ? blended_ : i == 2 ? movingEmission_ : casters_[i - 3];
-    };
-    for (uint32_t i = 0; i < listCount; ++i) list(i).allocate(commands_);
+    for (uint32_t i = 0; i < listCount; ++i) viewList(i).allocate(commands_);
     jobs_.forRanges(listCount, 1, [&](uint32_t begin, uint32_t end) {
         for (uint32_t i = begin; i < end; ++i)
-            list(i).fill(commands_, input.instances, resolved_, input.previousTransforms);
+            viewList(i).fill(commands_, input.instances, resolved_, input.previousTransforms);
     });
 }
 
@@ -230,6 +244,7 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
     b.linearSampler = linearSampler_;
     if (environment) {
         b.environment = environment->specular;
+        b.irradiance = environment->irradiance;
         b.sky = environment->background;
         auto table = environments.brdfTable();
         if (!table) return tl::unexpected(table.error());

@@ -53,6 +53,7 @@ private:
     Result<void> prepareResources();
     void gatherViews(const FrameInput&, const CameraMatrices&);
     Aabb sceneBounds() const;
+    DrawList& viewList(uint32_t index);
     void planShadows(const FrameInput&, const CameraMatrices&);
     Result<void> planPasses(const FrameInput&, const FrameOutput&, const CameraMatrices&);
     Result<LightingBindings> bindLighting(const FrameInput&, const CameraMatrices&,

@@ -13,7 +13,6 @@ set(RUSHLIGHT_SHADER_FILES
   interop/encode.h
   interop/frame_uniforms.h
   interop/interop.h
-  interop/sh.h
   interop/surface_flags.h
   interop/tonemap.h
   interop/uniforms.h

@@ -8,7 +8,7 @@
 namespace rushlight {
 namespace {
 
-constexpr float kSkin = 0.002f;     // metres of penetration that are left alone
+constexpr float kSkin = 0.002f;      // metres of penetration that are left alone
 constexpr float kRingRadius = 0.7f;  // of the capsule's, for the rays around the middle one
 constexpr int kRingRays = 8;
 constexpr int kPushes = 8;
@@ -72,8 +72,8 @@ Character::Contact Character::deepestContact(const TriangleGrid& level) const {
     return deepest;
 }
 
-/// Ground pushes up; on the ground everything else pushes sideways, so that nobody is lifted over a high ledge or
-/// pressed into the floor.
+/// Ground pushes up; on the ground everything else pushes sideways, so that nobody is lifted over a
+/// high ledge or pressed into the floor.
 vec3 Character::pushAgainst(const Contact& contact) const {
     const vec3 level = vec3(contact.normal.x, 0, contact.normal.z);
     const float across = glm::length(level);

@@ -16,9 +16,10 @@ struct CharacterShape {
     float fastestFall = 40;
 };
 
-/// An upright capsule that hovers `stepHeight` above the feet, so that low ledges pass under it, and feet that feel
-/// for the ground with vertical rays. The capsule moves in pieces shorter than its radius and is pushed out of what
-/// it touches, or put back where that fails; the rays cover the whole fall: nothing is passed through at any speed.
+/// An upright capsule that hovers `stepHeight` above the feet, so that low ledges pass under it,
+/// and feet that feel for the ground with vertical rays. The capsule moves in pieces shorter than
+/// its radius and is pushed out of what it touches, or put back where that fails; the rays cover
+/// the whole fall: nothing is passed through at any speed.
 class Character {
 public:
     Character() = default;

@@ -46,8 +46,8 @@ vec3 closestPointOnTriangle(const vec3& a, const vec3& b, const vec3& c, const v
     return best.first;
 }
 
-/// The unclamped optimum on the first segment gives the best point of the second; clamping that one and going back
-/// gives the first's (Ericson 5.1.9).
+/// The unclamped optimum on the first segment gives the best point of the second; clamping that one
+/// and going back gives the first's (Ericson 5.1.9).
 ClosestPoints closestPoints(const Segment& first, const Segment& second) {
     const vec3 u = first.end - first.start;
     const vec3 v = second.end - second.start;
@@ -70,8 +70,7 @@ ClosestPoints closestPoints(const Segment& segment, const vec3& a, const vec3& b
         const vec3 crossing = segment.start + (segment.end - segment.start) * t;
         if (isInside(a, b, c, normal, crossing)) return between(crossing, crossing);
     }
-    ClosestPoints best =
-        between(segment.start, closestPointOnTriangle(a, b, c, segment.start));
+    ClosestPoints best = between(segment.start, closestPointOnTriangle(a, b, c, segment.start));
     keepNearer(best, between(segment.end, closestPointOnTriangle(a, b, c, segment.end)));
     keepNearer(best, closestPoints(segment, {a, b}));
     keepNearer(best, closestPoints(segment, {b, c}));

@@ -17,8 +17,8 @@ bool isUsable(const CollisionTriangle& t) {
     return size > 1e-16f && std::isfinite(size);
 }
 
-/// Where the vertical line through `p` meets the triangle's plane, if it does so inside the triangle. A point on an
-/// edge is inside: two triangles that share the edge leave no gap.
+/// Where the vertical line through `p` meets the triangle's plane, if it does so inside the
+/// triangle. A point on an edge is inside: two triangles that share the edge leave no gap.
 std::optional<float> heightAt(const CollisionTriangle& t, const vec3& p) {
     const auto edge = [&](const vec3& a, const vec3& b) {
         return (b.x - a.x) * (p.z - a.z) - (b.z - a.z) * (p.x - a.x);

@@ -1,5 +1,6 @@
 #pragma once
-// The level as something to bump into: static triangles in the cells of a grid over the ground plane.
+// The level as something to bump into: static triangles in the cells of a grid over the ground
+// plane.
 
 #include "engine/core/bounds.h"
 #include "engine/core/math.h"
@@ -25,8 +26,8 @@ struct RayHit {
 class TriangleGrid {
 public:
     TriangleGrid() = default;
-    /// Triangles without area or with coordinates that are not finite are left out. `cellSize` in metres; it is made
-    /// larger when the level would need more than kMaxCellsPerAxis.
+    /// Triangles without area or with coordinates that are not finite are left out. `cellSize` in
+    /// metres; it is made larger when the level would need more than kMaxCellsPerAxis.
     explicit TriangleGrid(std::span<const CollisionTriangle> triangles, float cellSize = 2);
 
     static constexpr int kMaxCellsPerAxis = 256;
@@ -35,8 +36,8 @@ public:
     size_t triangleCount() const { return triangles_.size(); }
     const Aabb& bounds() const { return bounds_; }
 
-    /// Calls `visit(const CollisionTriangle&)` for triangles whose box touches `box`; one that spans cells may come
-    /// more than once.
+    /// Calls `visit(const CollisionTriangle&)` for triangles whose box touches `box`; one that
+    /// spans cells may come more than once.
     template <class Visit>
     void forEachTouching(const Aabb& box, Visit&& visit) const {
         if (isEmpty()) return;
@@ -47,7 +48,8 @@ public:
                     if (touches(boxes_[index], box)) visit(triangles_[index]);
     }
 
-    /// The first triangle under `from`, at most `distance` metres down. Both sides of a triangle count.
+    /// The first triangle under `from`, at most `distance` metres down. Both sides of a triangle
+    /// count.
     std::optional<RayHit> castDown(const vec3& from, float distance) const;
 
 private:

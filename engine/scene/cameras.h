@@ -1,6 +1,6 @@
 #pragma once
-// Cameras that a player moves: one that flies and one that walks. Both look with yaw and pitch, so there is never a
-// roll, and both move the same way at 30 as at 240 frames a second.
+// Cameras that a player moves: one that flies and one that walks. Both look with yaw and pitch, so
+// there is never a roll, and both move the same way at 30 as at 240 frames a second.
 
 #include "engine/core/math.h"
 #include "engine/physics/character.h"
@@ -11,7 +11,8 @@ namespace rushlight {
 
 /// Radians. Yaw 0 looks along -z and grows to the left; pitch grows upwards.
 struct LookAngles {
-    /// Short of straight up and down, where yaw would have no meaning and a look-at matrix no answer.
+    /// Short of straight up and down, where yaw would have no meaning and a look-at matrix no
+    /// answer.
     static constexpr float kMaxPitch = kPi / 2 - 0.001f;
 
     float yaw = 0;
@@ -62,16 +63,18 @@ private:
     vec3 velocity_{0};
 };
 
-/// Walks on the level at eye height, in steps of 1/60 s; what is shown lies between the last two steps.
+/// Walks on the level at eye height, in steps of 1/60 s; what is shown lies between the last two
+/// steps.
 class WalkCamera {
 public:
     static constexpr float kEyeHeight = 1.7f;
     static constexpr float kWalkSpeed = 2.4f;  // metres a second
     static constexpr float kRunSpeed = 5.5f;
-    static constexpr float kResponse = 14;       // 1/s, of the velocity
-    static constexpr float kEyeResponse = 16;    // 1/s, of the eyes after a step up or down
+    static constexpr float kResponse = 14;     // 1/s, of the velocity
+    static constexpr float kEyeResponse = 16;  // 1/s, of the eyes after a step up or down
     static constexpr double kStep = 1.0 / 60;
-    static constexpr float kFallLimit = 20;  // metres below the level's lowest point: back to the spawn
+    static constexpr float kFallLimit =
+        20;  // metres below the level's lowest point: back to the spawn
 
     /// Stands at `feet`; also where a fall out of the world ends.
     void spawnAt(const vec3& feet, const LookAngles& look);

@@ -1,5 +1,6 @@
 #pragma once
-// Time as an input: the host reads its clock and hands the value in, so that a test or a replay can too.
+// Time as an input: the host reads its clock and hands the value in, so that a test or a replay can
+// too.
 
 #include <array>
 #include <cstdint>
@@ -15,9 +16,9 @@ public:
     /// `now` in seconds of any monotonic clock. A clock that runs backwards gives a delta of zero.
     void tick(double now);
 
-    double delta() const { return delta_; }      ///< seconds in [0, kMaxDelta]; 0 in the first frame
+    double delta() const { return delta_; }  ///< seconds in [0, kMaxDelta]; 0 in the first frame
     double rawDelta() const { return rawDelta_; }  ///< seconds, not clamped
-    double elapsed() const { return elapsed_; }  ///< the sum of the deltas
+    double elapsed() const { return elapsed_; }    ///< the sum of the deltas
 
 private:
     double last_ = 0;
@@ -27,7 +28,8 @@ private:
     bool running_ = false;
 };
 
-/// Turns frames of any length into steps of one length, so that a simulation does not depend on the frame rate.
+/// Turns frames of any length into steps of one length, so that a simulation does not depend on the
+/// frame rate.
 class FixedStep {
 public:
     explicit FixedStep(double seconds) : step_(seconds) {}

@@ -70,19 +70,6 @@ uint32_t shadowFlags(const ResolvedInstance& resolved) {
     return flags & kMirrored;
 }
 
-bool belongs(DrawListKind kind, uint32_t instanceFlags, uint32_t surfaceFlags) {
-    constexpr uint32_t kMovingEmission = kMoving | kEmissive;
-    switch (kind) {
-        case DrawListKind::opaque: return !(surfaceFlags & kBlend);
-        case DrawListKind::blend: return surfaceFlags & kBlend;
-        case DrawListKind::shadow:
-            return !(surfaceFlags & kBlend) && (instanceFlags & kInstanceCastsShadow);
-        case DrawListKind::movingEmission:
-            return !(surfaceFlags & kBlend) && (surfaceFlags & kMovingEmission) == kMovingEmission;
-    }
-    return false;
-}
-
 void writeRows(const mat4x3& m, vec4& row0, vec4& row1, vec4& row2) {
     row0 = {m[0].x, m[1].x, m[2].x, m[3].x};
     row1 = {m[0].y, m[1].y, m[2].y, m[3].y};
@@ -103,33 +90,45 @@ void resolveInstances(std::span<const Instance> instances, size_t previousTransf
                    });
 }
 
-void DrawList::gather(DrawListKind kind, std::span<const Instance> instances,
-                      std::span<const ResolvedInstance> resolved, const Frustum& frustum,
-                      const vec3& eye, const vec3& forward, bool cull) {
+void DrawList::begin(DrawListKind kind) {
     kind_ = kind;
     items_.clear();
-    for (uint32_t i = 0; i < resolved.size(); ++i) {
-        const ResolvedInstance& r = resolved[i];
-        if (!r.mesh) continue;
-        if (!belongs(kind, instances[i].flags, r.surfaceFlags)) continue;
-        if (cull && !intersects(frustum, r.center, r.halfExtent)) continue;
-        const float depth = glm::dot(r.center - eye, forward);
-        const uint32_t mesh = instances[i].mesh.index();
-        Item item{0, i, r.surfaceFlags};
-        switch (kind) {
-            case DrawListKind::opaque:
-            case DrawListKind::movingEmission:
-                item.key = opaqueKey(r.surfaceFlags, r.textureSet, mesh, depth);
-                break;
-            case DrawListKind::blend: item.key = blendKey(depth); break;
-            case DrawListKind::shadow:
-                item.flags = shadowFlags(r);
-                item.key = opaqueKey(item.flags, item.flags & kAlphaMask ? r.textureSet : 0,
-                                     mesh, 0);
-                break;
-        }
-        items_.push_back(item);
+}
+
+bool DrawList::belongs(uint32_t instanceFlags, uint32_t surfaceFlags) const {
+    constexpr uint32_t kMovingEmission = kMoving | kEmissive;
+    switch (kind_) {
+        case DrawListKind::opaque: return !(surfaceFlags & kBlend);
+        case DrawListKind::blend: return surfaceFlags & kBlend;
+        case DrawListKind::shadow:
+            return !(surfaceFlags & kBlend) && (instanceFlags & kInstanceCastsShadow);
+        case DrawListKind::movingEmission:
+            return !(surfaceFlags & kBlend) && (surfaceFlags & kMovingEmission) == kMovingEmission;
     }
+    return false;
+}
+
+void DrawList::add(uint32_t index, const Instance& instance, const ResolvedInstance& resolved,
+                   const vec3& eye, const vec3& forward) {
+    const float depth = glm::dot(resolved.center - eye, forward);
+    const uint32_t mesh = instance.mesh.index();
+    Item item{0, index, resolved.surfaceFlags};
+    switch (kind_) {
+        case DrawListKind::opaque:
+        case DrawListKind::movingEmission:
+            item.key = opaqueKey(resolved.surfaceFlags, resolved.textureSet, mesh, depth);
+            break;
+        case DrawListKind::blend: item.key = blendKey(depth); break;
+        case DrawListKind::shadow:
+            item.flags = shadowFlags(resolved);
+            item.key = opaqueKey(item.flags, item.flags & kAlphaMask ? resolved.textureSet : 0,
+                                 mesh, 0);
+            break;
+    }
+    items_.push_back(item);
+}
+
+void DrawList::end(std::span<const ResolvedInstance> resolved) {
     std::sort(items_.begin(), items_.end(), [](const Item& a, const Item& b) {
         return a.key != b.key ? a.key < b.key : a.instance < b.instance;
     });

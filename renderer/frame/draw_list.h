@@ -49,9 +49,19 @@ enum class DrawListKind : uint8_t {
 class DrawList {
 public:
     /// Culls and sorts; touches nothing shared, so views can be gathered at the same time.
+    /// `sees(center, halfExtent)` says whether a box is in the view.
+    template <class Sees>
     void gather(DrawListKind kind, std::span<const Instance> instances,
-                std::span<const ResolvedInstance> resolved, const Frustum& frustum,
-                const vec3& eye, const vec3& forward, bool cull);
+                std::span<const ResolvedInstance> resolved, const vec3& eye, const vec3& forward,
+                Sees&& sees) {
+        begin(kind);
+        for (uint32_t i = 0; i < resolved.size(); ++i) {
+            const ResolvedInstance& r = resolved[i];
+            if (!r.mesh || !belongs(instances[i].flags, r.surfaceFlags)) continue;
+            if (sees(r.center, r.halfExtent)) add(i, instances[i], r, eye, forward);
+        }
+        end(resolved);
+    }
 
     /// Makes room in the data block, then, separately so that lists can be filled at the same time, fills it.
     void allocate(CommandBuffer& buffer);
@@ -77,6 +87,11 @@ private:
         uint32_t instance;
         uint32_t flags;
     };
+    void begin(DrawListKind kind);
+    bool belongs(uint32_t instanceFlags, uint32_t surfaceFlags) const;
+    void add(uint32_t index, const Instance& instance, const ResolvedInstance& resolved,
+             const vec3& eye, const vec3& forward);
+    void end(std::span<const ResolvedInstance> resolved);
     void formBatches(std::span<const ResolvedInstance> resolved);
 
     DrawListKind kind_ = DrawListKind::opaque;

@@ -18,7 +18,7 @@ namespace rushlight {
 namespace {
 
 constexpr uint32_t kMaxSide = 16384;
-constexpr uint32_t kHashVersion = 1;  // counted up whenever the same input gives another result
+constexpr uint32_t kHashVersion = 2;  // counted up whenever the same input gives another result
 /// By level; wider lobes read coarser sources, and there are fewer texels to fill.
 constexpr std::array<uint32_t, kEnvironmentLevels> kSamples = {1, 40, 80, 192, 384, 768};
 
@@ -88,6 +88,50 @@ void filterLevel(std::span<const CubeLevel> chain, std::span<const LobeSample> l
     });
 }
 
+/// What a texel of the source sends, as a whole.
+struct Patch {
+    vec3 direction;
+    float solidAngle;
+    vec4 radiance;
+};
+
+std::vector<Patch> listPatches(const CubeLevel& level) {
+    const uint32_t size = level.size();
+    const float scale = 2.0f / float(size);
+    std::vector<Patch> patches;
+    patches.reserve(size_t(6) * size * size);
+    for (uint32_t face = 0; face < 6; ++face)
+        for (uint32_t y = 0; y < size; ++y)
+            for (uint32_t x = 0; x < size; ++x)
+                patches.push_back({glm::normalize(cubeDirection(face, (float(x) + 0.5f) * scale - 1,
+                                                                (float(y) + 0.5f) * scale - 1)),
+                                   cubeTexelSolidAngle(x, y, size), level.at(face, x, y)});
+    return patches;
+}
+
+// The whole sum: a cosine lobe is so wide that a small source is as good as a large one.
+void filterIrradiance(const CubeLevel& source, uint16_t* out, JobSystem& jobs) {
+    const std::vector<Patch> patches = listPatches(source);
+    constexpr uint32_t size = kIrradianceSize;
+    constexpr float scale = 2.0f / float(size);
+    jobs.forRanges(6 * size, 4, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t i = begin * size; i < end * size; ++i) {
+            const uint32_t x = i % size, y = i / size % size, face = i / (size * size);
+            const vec3 normal = glm::normalize(cubeDirection(
+                face, (float(x) + 0.5f) * scale - 1, (float(y) + 0.5f) * scale - 1));
+            vec4 sum(0);
+            float total = 0;
+            for (const Patch& patch : patches) {
+                const float weight =
+                    std::max(glm::dot(normal, patch.direction), 0.0f) * patch.solidAngle;
+                sum += patch.radiance * weight;
+                total += weight;
+            }
+            storeTexel(out + size_t(i) * 4, sum / total);
+        }
+    });
+}
+
 std::vector<CubeLevel> makeChain(const Equirect& source, uint32_t size, JobSystem& jobs) {
     std::vector<CubeLevel> chain;
     chain.push_back(projectToCube(source, size, jobs));
@@ -125,7 +169,7 @@ std::span<const uint16_t> CubeTexels::face(uint32_t level, uint32_t index) const
 
 uint64_t environmentHash(const EnvironmentDesc& desc) {
     const uint32_t key[] = {kHashVersion,       desc.width,        desc.height, kEnvironmentSize,
-                            kEnvironmentLevels, kMaxBackgroundSize};
+                            kEnvironmentLevels, kMaxBackgroundSize, kIrradianceSize};
     return hashBytes(desc.pixels.data(), desc.pixels.size_bytes(), hashBytes(key, sizeof key));
 }
 
@@ -139,7 +183,10 @@ Result<PrefilteredEnvironment> prefilterEnvironment(const EnvironmentDesc& desc,
     const std::vector<CubeLevel> chain = makeChain(source, backgroundSize, jobs);
 
     PrefilteredEnvironment result;
-    result.irradiance = projectIrradiance(desc, jobs);
+    result.irradiance = {kIrradianceSize, 1, {}};
+    result.irradiance.halves.resize(CubeTexels::halfCount(kIrradianceSize, 1));
+    filterIrradiance(chain[std::countr_zero(backgroundSize / (2 * kIrradianceSize))],
+                     result.irradiance.halves.data(), jobs);
     result.background = {backgroundSize, 1, {}};
     result.background.halves.resize(CubeTexels::halfCount(backgroundSize, 1));
     storeLevel(chain[0], result.background.halves.data());

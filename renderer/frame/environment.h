@@ -3,7 +3,6 @@
 
 #include "engine/core/jobs.h"
 #include "engine/core/result.h"
-#include "interop/sh.h"
 #include "renderer/frame/frame_input.h"
 
 #include <cstdint>
@@ -16,6 +15,8 @@ inline constexpr uint32_t kEnvironmentSize = 256;
 /// Level i holds roughness i / (kEnvironmentLevels - 1): interop::environmentLevel. Sizes 256 to 8.
 inline constexpr uint32_t kEnvironmentLevels = 6;
 inline constexpr uint32_t kMaxBackgroundSize = 512;
+/// A texel spans 6 degrees; between two, a cosine lobe is a straight line within 0.2 %.
+inline constexpr uint32_t kIrradianceSize = 16;
 
 /// A cube map as it is uploaded: RGBA16F, level by level, in a level face by face (GL order), rows from t = 0.
 struct CubeTexels {
@@ -30,7 +31,9 @@ struct CubeTexels {
 };
 
 struct PrefilteredEnvironment {
-    interop::IrradianceSh irradiance{};
+    /// Irradiance over pi: the radiance of a white Lambert surface. One level. (Nine spherical harmonics, which are
+    /// cheaper to store, are wrong by a sixth in a room with windows.)
+    CubeTexels irradiance;
     CubeTexels specular;    ///< GGX-prefiltered radiance, kEnvironmentSize, kEnvironmentLevels
     CubeTexels background;  ///< sharp, one level; radiance over 65,504 is clamped here and in specular's level 0
 };
@@ -41,8 +44,5 @@ uint64_t environmentHash(const EnvironmentDesc& desc);
 /// Fails when a side is zero or over 16,384, or when `pixels` is not width * height long. Texels that are negative or
 /// not finite count as black.
 Result<PrefilteredEnvironment> prefilterEnvironment(const EnvironmentDesc& desc, JobSystem& jobs);
-
-/// Irradiance alone: evaluates to the radiance of a white Lambert surface.
-interop::IrradianceSh projectIrradiance(const EnvironmentDesc& desc, JobSystem& jobs);
 
 }  // namespace rushlight

@@ -15,9 +15,9 @@ namespace rushlight {
 namespace {
 
 constexpr std::array<char, 8> kMagic = {'R', 'L', 'E', 'N', 'V', '\r', '\n', 0};
-constexpr uint32_t kFileVersion = 1;
+constexpr uint32_t kFileVersion = 2;
 
-/// The header is followed by the specular halves, then the background's. Little-endian, as all our platforms.
+/// The header is followed by the halves of the irradiance, the specular and the background cube. Little-endian, as all our platforms.
 struct FileHeader {
     std::array<char, 8> magic = kMagic;
     uint32_t version = kFileVersion;
@@ -26,12 +26,11 @@ struct FileHeader {
     uint32_t backgroundSize = 0;
     uint64_t sourceHash = 0;
     uint64_t payloadHash = 0;  ///< of irradiance, specular and background, in this order
-    interop::IrradianceSh irradiance{};
 };
-static_assert(sizeof(FileHeader) == 184 && std::is_trivially_copyable_v<FileHeader>);
+static_assert(sizeof(FileHeader) == 40 && std::is_trivially_copyable_v<FileHeader>);
 
 uint64_t hashPayload(const PrefilteredEnvironment& e) {
-    uint64_t hash = hashBytes(&e.irradiance, sizeof e.irradiance);
+    uint64_t hash = hashBytes(e.irradiance.halves.data(), e.irradiance.halves.size() * 2);
     hash = hashBytes(e.specular.halves.data(), e.specular.halves.size() * 2, hash);
     return hashBytes(e.background.halves.data(), e.background.halves.size() * 2, hash);
 }
@@ -70,13 +69,16 @@ std::optional<PrefilteredEnvironment> loadPrefiltered(const std::string& path, u
     if (error || !file || !file.read(reinterpret_cast<char*>(&header), sizeof header)) return {};
     if (!isPlausible(header, hash)) return {};
     PrefilteredEnvironment result;
-    result.irradiance = header.irradiance;
+    result.irradiance = {kIrradianceSize, 1, {}};
     result.specular = {header.specularSize, header.specularLevels, {}};
     result.background = {header.backgroundSize, 1, {}};
-    const size_t halves = CubeTexels::halfCount(header.specularSize, header.specularLevels) +
+    const size_t halves = CubeTexels::halfCount(kIrradianceSize, 1) +
+                          CubeTexels::halfCount(header.specularSize, header.specularLevels) +
                           CubeTexels::halfCount(header.backgroundSize, 1);
     if (bytes != sizeof header + halves * 2) return {};
-    if (!readHalves(file, result.specular) || !readHalves(file, result.background)) return {};
+    if (!readHalves(file, result.irradiance) || !readHalves(file, result.specular) ||
+        !readHalves(file, result.background))
+        return {};
     if (hashPayload(result) != header.payloadHash) return {};
     return result;
 }
@@ -93,12 +95,12 @@ Result<void> savePrefiltered(const std::string& path, uint64_t hash,
     header.backgroundSize = environment.background.size;
     header.sourceHash = hash;
     header.payloadHash = hashPayload(environment);
-    header.irradiance = environment.irradiance;
 
     // The process number keeps two programs that fill one cache apart.
     const std::string temporary = path + "." + std::to_string(::getpid()) + ".tmp";
     std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
     file.write(reinterpret_cast<const char*>(&header), sizeof header);
+    writeHalves(file, environment.irradiance);
     writeHalves(file, environment.specular);
     writeHalves(file, environment.background);
     file.close();

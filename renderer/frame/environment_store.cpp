@@ -11,8 +11,7 @@ EnvironmentStore::EnvironmentStore(Device& device, JobSystem& jobs, LogSink log,
 
 EnvironmentStore::~EnvironmentStore() {
     environments_.forEach([&](EnvironmentHandle, GpuEnvironment& environment) {
-        device_.destroy(environment.specular);
-        device_.destroy(environment.background);
+        destroyTextures(environment);
     });
     if (brdfTable_) device_.destroy(brdfTable_);
 }
@@ -21,24 +20,30 @@ Result<EnvironmentHandle> EnvironmentStore::create(const EnvironmentDesc& desc) 
     auto prefiltered = prefilterEnvironmentCached(desc, cacheDirectory_, jobs_, log_);
     if (!prefiltered) return tl::unexpected(prefiltered.error());
     GpuEnvironment environment;
-    environment.irradiance = prefiltered->irradiance;
-    auto specular = uploadCube("environment-specular", prefiltered->specular);
-    if (!specular) return tl::unexpected(specular.error());
-    environment.specular = *specular;
-    auto background = uploadCube("environment-background", prefiltered->background);
-    if (!background) {
-        device_.destroy(environment.specular);
-        return tl::unexpected(background.error());
-    }
-    environment.background = *background;
-    return environments_.insert(environment);
+    const auto upload = [&](const char* label, const CubeTexels& cube, TextureHandle& texture) {
+        auto uploaded = uploadCube(label, cube);
+        if (uploaded) texture = *uploaded;
+        return uploaded;
+    };
+    auto step = upload("environment-irradiance", prefiltered->irradiance, environment.irradiance);
+    if (step) step = upload("environment-specular", prefiltered->specular, environment.specular);
+    if (step)
+        step = upload("environment-background", prefiltered->background, environment.background);
+    if (step) return environments_.insert(environment);
+    destroyTextures(environment);
+    return tl::unexpected(step.error());
+}
+
+void EnvironmentStore::destroyTextures(const GpuEnvironment& environment) {
+    for (TextureHandle texture :
+         {environment.irradiance, environment.specular, environment.background})
+        if (texture) device_.destroy(texture);
 }
 
 void EnvironmentStore::destroy(EnvironmentHandle handle) {
     const GpuEnvironment* environment = environments_.find(handle);
     if (!environment) return;
-    device_.destroy(environment->specular);
-    device_.destroy(environment->background);
+    destroyTextures(*environment);
     environments_.erase(handle);
 }
 

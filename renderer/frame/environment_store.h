@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/core/log.h"
-#include "interop/sh.h"
 #include "renderer/backend/device.h"
 #include "renderer/frame/environment.h"
 
@@ -11,7 +10,7 @@ namespace rushlight {
 
 /// An environment as lighting reads it.
 struct GpuEnvironment {
-    interop::IrradianceSh irradiance{};
+    TextureHandle irradiance;  ///< cube of irradiance over pi, RGBA16F
     TextureHandle specular;    ///< prefiltered cube, RGBA16F
     TextureHandle background;  ///< sharp cube, RGBA16F
 };
@@ -34,6 +33,7 @@ public:
 
 private:
     Result<TextureHandle> uploadCube(const char* label, const CubeTexels&);
+    void destroyTextures(const GpuEnvironment&);
 
     Device& device_;
     JobSystem& jobs_;

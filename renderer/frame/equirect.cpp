@@ -1,33 +1,13 @@
 #include "renderer/frame/equirect.h"
 
-#include "renderer/frame/environment.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace rushlight {
 namespace {
 
 constexpr uint32_t kRowsPerJob = 8;
-using ShSum = std::array<glm::dvec3, 9>;
-
-// Real spherical harmonics without their constants, in the order of IrradianceSh.
-std::array<float, 9> shPolynomials(const vec3& n) {
-    return {1.0f,      n.y,       n.z,
-            n.x,       n.x * n.y, n.y * n.z,
-            3 * n.z * n.z - 1,    n.x * n.z, n.x * n.x - n.y * n.y};
-}
-
-// The square of each basis function's constant (once for projecting, once for evaluating) times the cosine kernel over
-// pi: 1, 2/3, 1/4 for bands 0, 1, 2 (Ramamoorthi and Hanrahan 2001, equation 8).
-std::array<double, 9> shFactors() {
-    const double pi = 3.14159265358979323846;
-    const double y0 = 1 / (4 * pi), y1 = 3 / (4 * pi), y2 = 15 / (4 * pi);
-    const double first = y1 * 2 / 3, second = y2 / 4;
-    return {y0,     first,  first,           first,  second,
-            second, second / 12, second, second / 4};
-}
 
 }  // namespace
 
@@ -105,35 +85,6 @@ CubeLevel projectToCube(const Equirect& source, uint32_t size, JobSystem& jobs) 
     });
     result.fillBorders();
     return result;
-}
-
-// Each row is summed by itself and the rows in order, so that threads do not change the result.
-interop::IrradianceSh projectIrradiance(const EnvironmentDesc& desc, JobSystem& jobs) {
-    std::vector<ShSum> rows(desc.height);
-    jobs.forRanges(desc.height, kRowsPerJob, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t y = begin; y < end; ++y) {
-            ShSum sum{};
-            const float v = (float(y) + 0.5f) / float(desc.height);
-            for (uint32_t x = 0; x < desc.width; ++x) {
-                const auto basis =
-                    shPolynomials(equirectDirection((float(x) + 0.5f) / float(desc.width), v));
-                const glm::dvec3 radiance =
-                    cleanRadiance(desc.pixels[size_t(y) * desc.width + x]);
-                for (size_t i = 0; i < 9; ++i) sum[i] += radiance * double(basis[i]);
-            }
-            const double weight = equirectTexelSolidAngle(y, desc.width, desc.height);
-            for (size_t i = 0; i < 9; ++i) rows[y][i] = sum[i] * weight;
-        }
-    });
-    ShSum total{};
-    for (const ShSum& row : rows)
-        for (size_t i = 0; i < 9; ++i) total[i] += row[i];
-
-    const auto factors = shFactors();
-    std::array<vec4, 9> c;
-    for (size_t i = 0; i < 9; ++i) c[i] = vec4(vec3(total[i] * factors[i]), 0);
-    // c6 (3 z^2 - 1) = 3 c6 z^2 - c6
-    return {c[0] - c[6], c[1], c[2], c[3], c[4], c[5], 3.0f * c[6], c[7], c[8]};
 }
 
 }  // namespace rushlight

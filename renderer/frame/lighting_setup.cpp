@@ -85,7 +85,6 @@ interop::LightingUniforms makeLightingUniforms(const CameraMatrices& camera,
         u.directionalIlluminances[i] = vec4(light.illuminance, 0);
     }
     if (environment) {
-        u.irradiance = environment->irradiance;
         u.environment = {std::cos(lighting.environmentRotation),
                          std::sin(lighting.environmentRotation), lighting.environmentIntensity,
                          float(kEnvironmentLevels)};

@@ -39,7 +39,29 @@ float farthestDepth(const CameraMatrices& camera, const Aabb& bounds) {
 // A step of 2^(1/8): the size of a cascade that follows the scene's bounds changes rarely, and so does its texel grid.
 float roundUpRadius(float radius) { return std::exp2(std::ceil(std::log2(radius) * 8) / 8); }
 
+// Of a finer cascade receivers use all but this rim (pickCascade in shaders/common/lighting.glsl), ...
+constexpr float kRimTexels = 3;
+// ... and around them the filter and the normal offset reach this far in the coarser one's texels.
+constexpr float kReachTexels = 6;
+
 }  // namespace
+
+bool ShadowCascades::needs(uint32_t index, const vec3& center, const vec3& halfExtent) const {
+    const ShadowCascade& cascade = cascades[index];
+    if (!intersects(cascade.frustum, center, halfExtent)) return false;
+    const vec3 x(rows[0]), y(rows[1]);
+    const vec2 middle(glm::dot(x, center), glm::dot(y, center));
+    const vec2 reach = vec2(glm::dot(glm::abs(x), halfExtent), glm::dot(glm::abs(y), halfExtent)) +
+                       kReachTexels * cascade.metresPerTexel;
+    for (uint32_t i = 0; i < index; ++i) {
+        const ShadowCascade& finer = cascades[i];
+        const vec2 low = (middle - reach) * finer.uvPerMetre + finer.uvOffset;
+        const vec2 high = (middle + reach) * finer.uvPerMetre + finer.uvOffset;
+        const float rim = kRimTexels / float(resolution);
+        if (low.x > rim && low.y > rim && high.x < 1 - rim && high.y < 1 - rim) return false;
+    }
+    return true;
+}
 
 ShadowCascades makeShadowCascades(const CameraMatrices& camera, const ShadowCascadeDesc& desc) {
     ShadowCascades result;

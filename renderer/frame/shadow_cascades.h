@@ -21,6 +21,10 @@ struct ShadowCascades {
     /// World to light space: xy in metres, z in [0, 1].
     vec4 rows[3];
     std::array<ShadowCascade, 4> cascades;
+
+    /// Whether a box has to be drawn into a cascade: it is in its frustum, and not so far inside of a finer one that all
+    /// receivers which it could shade use that instead. All cascades look down the same axis, so that is exact.
+    bool needs(uint32_t cascade, const vec3& boxCenter, const vec3& boxHalfExtent) const;
 };
 
 struct ShadowCascadeDesc {

@@ -62,6 +62,7 @@ void LightingBindings::record(PassContext& context) const {
     }
     if (features.environment) {
         commands.push(BindTexture{RL_TEXTURE_ENVIRONMENT, environment, cubeSampler});
+        commands.push(BindTexture{RL_TEXTURE_IRRADIANCE, irradiance, cubeSampler});
         commands.push(BindTexture{RL_TEXTURE_BRDF_TABLE, brdfTable, linearSampler});
     }
 }

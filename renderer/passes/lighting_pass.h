@@ -32,6 +32,7 @@ struct LightingBindings {
     ImageId shadowMap;  ///< null without shadows
     SamplerHandle shadowSampler;
     TextureHandle environment;  ///< prefiltered cube
+    TextureHandle irradiance;   ///< cube
     TextureHandle sky;          ///< sharp cube
     SamplerHandle cubeSampler;
     TextureHandle brdfTable;

@@ -1,5 +1,5 @@
-// Counts what the program asks of the heap, for the panel's "allocations" line. Replaces the global operators as
-// [new.delete] allows; the sized and array forms of the library call these.
+// Counts what the program asks of the heap, for the panel's "allocations" line. Replaces the global
+// operators as [new.delete] allows; the sized and array forms of the library call these.
 
 #include "sandbox/game/allocation_count.h"
 

@@ -43,8 +43,7 @@ void DuskGame::drawHud(OverlayUi& ui) {
     using Anchor = OverlayUi::Anchor;
     const vec4 warm(1, 0.86f, 0.6f, 1);
     if (lamps_.count() == 0 || allLit_) return;
-    status_ = "lamps " + std::to_string(lamps_.litCount()) + " / " +
-              std::to_string(lamps_.count());
+    status_ = "lamps " + std::to_string(lamps_.litCount()) + " / " + std::to_string(lamps_.count());
     ui.text(Anchor::bottomCenter, vec2(0, -16), status_, warm, true);
     if (canLight_) ui.text(Anchor::bottomCenter, vec2(0, -60), "E: light the lamp", warm, true);
     if (lamps_.allLit())

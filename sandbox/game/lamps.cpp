@@ -12,7 +12,8 @@ constexpr float kPilotLight = 0.015f;  // of a lamp that does not burn: a last g
 
 /// A random number in [-1, 1] for each whole `at`.
 float noiseAt(uint32_t seed, int64_t at) {
-    const uint64_t bits = mixBits(mixBits(uint64_t(at)) ^ (uint64_t(seed) + 1) * 0x9e3779b97f4a7c15ull);
+    const uint64_t bits =
+        mixBits(mixBits(uint64_t(at)) ^ (uint64_t(seed) + 1) * 0x9e3779b97f4a7c15ull);
     return float(double(bits >> 11) / double(1ull << 52)) - 1;
 }
 
@@ -49,19 +50,19 @@ void Lamps::gather(std::span<const PunctualLight> lights, std::span<const std::s
     lamps_ = std::move(found);
 }
 
-bool Lamps::reaches(const Lamp& lamp, const vec3& eyes) {
-    return !lamp.lit &&
-           std::hypot(lamp.position.x - eyes.x, lamp.position.z - eyes.z) < kReach;
+bool Lamps::isOutWithin(const Lamp& lamp, const vec3& eyes, float reach) {
+    return !lamp.lit && std::hypot(lamp.position.x - eyes.x, lamp.position.z - eyes.z) < reach;
 }
 
 bool Lamps::canLightAt(const vec3& eyes) const {
     return std::any_of(lamps_.begin(), lamps_.end(),
-                       [&](const Lamp& lamp) { return reaches(lamp, eyes); });
+                       [&](const Lamp& lamp) { return isOutWithin(lamp, eyes, kReach); });
 }
 
 void Lamps::lightAround(const vec3& eyes, double time) {
+    if (!canLightAt(eyes)) return;
     for (Lamp& lamp : lamps_) {
-        if (!reaches(lamp, eyes)) continue;
+        if (!isOutWithin(lamp, eyes, kReach + kTogether)) continue;
         lamp.lit = true;
         lamp.litAt = time;
     }

@@ -22,7 +22,9 @@ struct Lamp {
 
 class Lamps {
 public:
-    static constexpr float kReach = 3.2f;     // metres from the eyes to the lamp, measured level
+    static constexpr float kReach = 3.2f;  // metres from the eyes to the lamp, measured level
+    static constexpr float kTogether =
+        1.3f;  // metres farther, for what goes on with a lamp in reach
     static constexpr float kKindleTime = 0.8f;  // seconds until a lamp burns fully
 
     /// Keeps burning what burnt and is still there. Lights whose name begins with "lamp" are lamps.
@@ -30,7 +32,7 @@ public:
 
     /// A lamp that does not burn is in reach.
     bool canLightAt(const vec3& eyes) const;
-    /// Lights all that are in reach: the two of a post go on together.
+    /// Lights what is in reach and what hangs beside it: the two of a post go on together.
     void lightAround(const vec3& eyes, double time);
     void lightAll(double time);
 
@@ -43,12 +45,13 @@ public:
     const std::vector<Lamp>& all() const { return lamps_; }
 
 private:
-    static bool reaches(const Lamp& lamp, const vec3& eyes);
+    static bool isOutWithin(const Lamp& lamp, const vec3& eyes, float reach);
 
     std::vector<Lamp> lamps_;
 };
 
-/// How bright lamp number `seed` burns at `time`, around 1: smooth noise of the time alone, the same in every run.
+/// How bright lamp number `seed` burns at `time`, around 1: smooth noise of the time alone, the
+/// same in every run.
 float flicker(uint32_t seed, double time);
 
 }  // namespace rushlight

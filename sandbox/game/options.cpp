@@ -10,6 +10,7 @@ namespace rushlight {
 namespace {
 
 constexpr uint32_t kMaxSide = 16384;  // pixels
+constexpr float kDuskExposure = 1.35f;  // shade is readable, the lamps keep their colour
 
 /// "1280x720"
 std::string readSize(const std::string& text, ViewerOptions& options) {
@@ -35,7 +36,8 @@ void addViewOptions(CLI::App& app, ViewerOptions& viewer) {
            "size of the window in pixels, WIDTHxHEIGHT")
         ->default_str("1280x720");
     app.add_option("--vsync", viewer.verticalSync, "on or off: wait for the display")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, bool>{{"on", true}, {"off", false}}))
+        ->transform(
+            CLI::CheckedTransformer(std::map<std::string, bool>{{"on", true}, {"off", false}}))
         ->default_str("on");
     const std::map<std::string, ToneMap> toneMaps{{"none", ToneMap::none},
                                                   {"neutral", ToneMap::neutral},
@@ -44,14 +46,19 @@ void addViewOptions(CLI::App& app, ViewerOptions& viewer) {
     app.add_option("--tonemap", viewer.settings.toneMap, "none, neutral, agx or aces")
         ->transform(CLI::CheckedTransformer(toneMaps))
         ->default_str("neutral");
-    app.add_option("--exposure-scale", viewer.settings.exposureScale, "linear factor on radiance")
+    app.add_option("--exposure-scale", viewer.settings.exposureScale, "linear factor on radiance (1.35)")
         ->check(CLI::PositiveNumber);
+    app.add_option("--environment", viewer.environment,
+                   "panorama (.hdr, .exr) that lights the level and is its sky; default: "
+                   "content/square/dusk.hdr of the program")
+        ->check(CLI::ExistingFile);
     app.add_option("--shaders", viewer.shaderDirectory,
                    "folder to read shaders from, and to watch for changes")
         ->check(CLI::ExistingDirectory);
     app.add_flag("--overlay", viewer.showOverlay, "begin with the panels open (Tab)");
-    app.add_flag("--fly", [&viewer](int64_t) { viewer.cameraMode = CameraMode::fly; },
-                 "begin flying instead of walking (F)");
+    app.add_flag(
+        "--fly", [&viewer](int64_t) { viewer.cameraMode = CameraMode::fly; },
+        "begin flying instead of walking (F)");
     app.add_option("--camera", viewer.camera,
                    "name or index of a camera of the level to begin at, instead of its spawn");
 }
@@ -62,9 +69,10 @@ void addTestOptions(CLI::App& app, ViewerOptions& viewer) {
     app.add_option("--screenshot", viewer.screenshot,
                    "write the last frame's picture (.png, .jpg) and end; without --frames or a "
                    "script after one frame");
-    auto* script = app.add_option("--script", viewer.script,
-                                  "play keys and mouse from a file: lines 'FRAME press|release|tap "
-                                  "KEY', 'FRAME look X Y', 'FRAME turn FRAMES X Y', 'FRAME scroll N'");
+    auto* script =
+        app.add_option("--script", viewer.script,
+                       "play keys and mouse from a file: lines 'FRAME press|release|tap "
+                       "KEY', 'FRAME look X Y', 'FRAME turn FRAMES X Y', 'FRAME scroll N'");
     app.add_flag("--walk-demo", viewer.walkDemo, "play the built-in script: once around the square")
         ->excludes(script);
 }
@@ -76,7 +84,9 @@ std::optional<SandboxOptions> parseOptions(int argc, char** argv, int& exitCode)
     options.viewer.program = "sandbox";
     options.viewer.title = "Rushlight: dusk in the square";
     options.viewer.cameraMode = CameraMode::walk;
-    CLI::App app("Walk through a square at dusk and light its lamps. Tab shows all keys.", "sandbox");
+    options.viewer.settings.exposureScale = kDuskExposure;
+    CLI::App app("Walk through a square at dusk and light its lamps. Tab shows all keys.",
+                 "sandbox");
     app.add_option("--level", options.viewer.scene,
                    "glTF or GLB file; default: content/square/square.gltf of the program");
     app.add_flag("--lit", options.allLit, "all lamps burn from the start");

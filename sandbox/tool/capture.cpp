@@ -191,6 +191,7 @@ void addCapture(CLI::App& app, Action& action) {
         "--frames", [arguments](const std::string& text) { arguments->frames = parseFrames(text); },
         "A-B: a sequence of frames");
     command->add_option("--fps", arguments->framesPerSecond, "Frames a second of the sequence")
+        ->check(finiteNumber())
         ->check(CLI::Range(0.01f, 100000.0f))
         ->capture_default_str()
         ->needs(frames);

@@ -29,5 +29,6 @@ void addCapture(CLI::App& app, Action& action);
 void addCompare(CLI::App& app, Action& action);
 void addDoctor(CLI::App& app, Action& action);
 void addInfo(CLI::App& app, Action& action);
+void addView(CLI::App& app, Action& action);
 
 }  // namespace rushlight::tool

@@ -2,6 +2,7 @@
 
 #include "renderer/capture/image_files.h"
 #include "sandbox/tool/command.h"
+#include "sandbox/tool/options.h"
 
 #include <cmath>
 #include <cstdio>
@@ -75,18 +76,20 @@ void addCompare(CLI::App& app, Action& action) {
     command->add_option("A", arguments->a, "The reference: PNG, JPEG, EXR, HDR and others")
         ->required();
     command->add_option("B", arguments->b, "The picture to judge, of the same size")->required();
-    command->add_option("--flip", arguments->maxFlip,
-                        "Exit with 1 when the mean FLIP error is over this (0 to 1)");
-    command->add_option("--psnr", arguments->minPsnr,
-                        "Exit with 1 when the PSNR is under this (dB)");
-    command->add_option(
-        "--max-error", arguments->maxError,
-        "Exit with 1 when a value differs by more than this (8 bit pictures: 0 to 1)");
+    const auto addLimit = [&](const char* name, std::optional<double>& limit, const char* help) {
+        command->add_option(name, limit, help)->check(finiteNumber());
+    };
+    addLimit("--flip", arguments->maxFlip,
+             "Exit with 1 when the mean FLIP error is over this (0 to 1)");
+    addLimit("--psnr", arguments->minPsnr, "Exit with 1 when the PSNR is under this (dB)");
+    addLimit("--max-error", arguments->maxError,
+             "Exit with 1 when a value differs by more than this (8 bit pictures: 0 to 1)");
     command->add_option("--diff", arguments->diff,
                         "Write the FLIP error of every pixel as a picture");
     command
         ->add_option("--pixels-per-degree", arguments->pixelsPerDegree,
                      "Of the display as the viewer sees it, for FLIP")
+        ->check(finiteNumber())
         ->check(CLI::Range(1.0f, 500.0f))
         ->capture_default_str();
     command->callback(

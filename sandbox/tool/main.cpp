@@ -17,6 +17,7 @@ int run(int argumentCount, char** arguments) {
     addBench(app, action);
     addInfo(app, action);
     addDoctor(app, action);
+    addView(app, action);
     try {
         app.parse(argumentCount, arguments);
     } catch (const CLI::Success& success) {  // --help and --version

@@ -74,6 +74,7 @@ void addCameraOptions(CLI::App& app, RenderOptions& o) {
     addVector(app, "--target", o.target, "x,y,z: the point to look at");
     addVector(app, "--up", o.up, "x,y,z: up in the picture (0,1,0)");
     app.add_option("--fov", o.verticalFov, "Vertical field of view in degrees, with --eye")
+        ->check(finiteNumber())
         ->check(CLI::Range(0.1f, 179.0f))
         ->capture_default_str();
     app.get_option("--eye")
@@ -85,8 +86,10 @@ void addCameraOptions(CLI::App& app, RenderOptions& o) {
 void addLightOptions(CLI::App& app, RenderOptions& o) {
     app.add_option("--environment", o.environment,
                    "An equirectangular picture (.hdr, .exr) as light");
-    app.add_option("--environment-rotation", o.environmentRotation, "Degrees about the up axis");
+    app.add_option("--environment-rotation", o.environmentRotation, "Degrees about the up axis")
+        ->check(finiteNumber());
     app.add_option("--environment-intensity", o.environmentIntensity, "A factor on its light")
+        ->check(finiteNumber())
         ->check(CLI::NonNegativeNumber);
     addVector(app, "--ambient", o.ambient, "r,g,b: light from all around, without an environment");
     app.add_option_function<std::string>(
@@ -103,6 +106,7 @@ void addLightOptions(CLI::App& app, RenderOptions& o) {
 void addDisplayOptions(CLI::App& app, RenderOptions& o) {
     CLI::Option* scale =
         app.add_option("--exposure-scale", o.exposureScale, "A linear factor on radiance")
+            ->check(finiteNumber())
             ->check(CLI::NonNegativeNumber)
             ->capture_default_str();
     app.add_option_function<std::string>(
@@ -124,6 +128,7 @@ void addDisplayOptions(CLI::App& app, RenderOptions& o) {
                        "How radiance becomes a display's colours (neutral)");
     app.add_option("--animation", o.animation, "An animation of the file, by name or index");
     app.add_option("--time", o.time, "The moment of the animation, in seconds")
+        ->check(finiteNumber())
         ->needs(app.get_option("--animation"));
 }
 
@@ -188,6 +193,16 @@ void addRenderOptions(CLI::App& app, RenderOptions& o) {
     addLightOptions(app, o);
     addDisplayOptions(app, o);
     addQualityOptions(app, o);
+}
+
+CLI::Validator finiteNumber() {
+    return {[](std::string& text) {
+                double value = 0;
+                return parseNumber(std::string_view(text), value)
+                           ? std::string()
+                           : "\"" + text + "\" is not a finite number";
+            },
+            "NUMBER"};
 }
 
 FrameSettings settingsFrom(const RenderOptions& o) {

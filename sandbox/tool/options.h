@@ -65,6 +65,9 @@ struct RenderOptions {
     std::string stats;
 };
 
+/// Refuses what is not a number or infinite: ranges alone let NaN pass.
+CLI::Validator finiteNumber();
+
 void addRenderOptions(CLI::App& command, RenderOptions& options);
 
 /// The quality level's settings with the single switches over them.

@@ -4,6 +4,7 @@
 #include "engine/jobs/tbb_jobs.h"
 #include "renderer/capture/image_files.h"
 #include "sandbox/tool/command.h"
+#include "sandbox/viewer/program_files.h"
 
 #include <chrono>
 #include <cmath>
@@ -75,6 +76,7 @@ Result<void> Session::startRenderer(bool pinRasterThreads) {
     desc.loadGl = context_->loader();
     desc.jobs = jobs_.get();
     desc.log.write = logToStandardError;
+    desc.cacheDirectory = userCacheDirectory();
     auto renderer = Renderer::create(desc);
     if (!renderer) return tl::unexpected(renderer.error());
     renderer_ = std::move(*renderer);
@@ -184,8 +186,8 @@ FrameInput Session::frame() const {
     lighting.ambientSky = lighting.ambientGround = options_.ambient.value_or(vec3(0));
     if (defaultLights_) {
         lighting.directional = {&defaultSun_, 1};
-        lighting.ambientSky = vec3(0.3f);
-        lighting.ambientGround = vec3(0.15f);
+        lighting.ambientSky = vec3(0.6f);
+        lighting.ambientGround = vec3(0.35f);
     }
     return input;
 }

@@ -51,8 +51,6 @@ void CameraRig::update(const InputState& input, bool look, const TriangleGrid& l
         walk_.update(intent, level, seconds);
 }
 
-CameraPose CameraRig::pose() const {
-    return mode_ == CameraMode::fly ? fly_.pose : walk_.pose();
-}
+CameraPose CameraRig::pose() const { return mode_ == CameraMode::fly ? fly_.pose : walk_.pose(); }
 
 }  // namespace rushlight

@@ -6,9 +6,9 @@
 
 namespace rushlight {
 
-/// Tells when a file, or any file in or below a folder, was changed, added or removed; by asking for the times of last
-/// write four times a second. A change is told when nothing has changed any more for one interval: an editor or an
-/// exporter is then done writing.
+/// Tells when a file, or any file in or below a folder, was changed, added or removed; by asking
+/// for the times of last write four times a second. A change is told when nothing has changed any
+/// more for one interval: an editor or an exporter is then done writing.
 class FileWatch {
 public:
     static constexpr double kInterval = 0.25;  // seconds

@@ -73,8 +73,8 @@ Result<InputScript::Event> InputScript::parseLine(const std::string& object,
     } else if (command == "look" || command == "turn") {
         event.action = Action::move;
         if (command == "turn") complete = bool(words >> event.frames);
-        complete = complete && (words >> event.amount.x >> event.amount.y) &&
-                   event.frames > 0 && event.frames <= kMaxFrame;
+        complete = complete && (words >> event.amount.x >> event.amount.y) && event.frames > 0 &&
+                   event.frames <= kMaxFrame;
     } else if (command == "scroll") {
         event.action = Action::scroll;
         complete = bool(words >> event.amount.x);
@@ -104,8 +104,8 @@ Result<InputScript> InputScript::parse(const std::string& name, std::string_view
         if (!event) return tl::unexpected(event.error());
         if (!script.events_.empty() && event->frame < script.events_.back().frame)
             return fail(object, "Frames must not decrease: " + std::to_string(event->frame) +
-                                    " follows " +
-                                    std::to_string(script.events_.back().frame) + ".");
+                                    " follows " + std::to_string(script.events_.back().frame) +
+                                    ".");
         script.lastFrame_ = std::max(script.lastFrame_, event->frame + event->frames - 1);
         script.events_.push_back(*event);
     }
@@ -129,7 +129,8 @@ void InputScript::play(uint32_t frame, InputState& input) {
         }
         if (event.frame != frame) continue;
         if (event.action == Action::scroll) input.scrolled(event.amount.x);
-        if (event.action == Action::press || event.action == Action::tap) input.key(event.key, true);
+        if (event.action == Action::press || event.action == Action::tap)
+            input.key(event.key, true);
         if (event.action == Action::release || event.action == Action::tap)
             input.key(event.key, false);
     }

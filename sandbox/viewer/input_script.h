@@ -1,5 +1,6 @@
 #pragma once
-// A player made of text, for tests and for the demo walk: the same keys at the same frames every time.
+// A player made of text, for tests and for the demo walk: the same keys at the same frames every
+// time.
 
 #include "engine/core/result.h"
 #include "engine/input/input.h"
@@ -25,7 +26,8 @@ public:
     static Result<InputScript> parse(const std::string& name, std::string_view text);
     static Result<InputScript> load(const std::string& path);
 
-    /// Feeds what happens in this frame; call after InputState::beginFrame(), frames counted from 0.
+    /// Feeds what happens in this frame; call after InputState::beginFrame(), frames counted from
+    /// 0.
     void play(uint32_t frame, InputState& input);
     /// After this frame nothing happens any more.
     uint32_t lastFrame() const { return lastFrame_; }

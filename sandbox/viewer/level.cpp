@@ -57,8 +57,7 @@ void Level::Scene::nameLights() {
         std::string name;
         for (size_t i = 0; i < model.nodes.size(); ++i) {
             if (model.nodes[i].light < 0) continue;
-            const float distance =
-                glm::distance(vec3(rest.worldFromNode[i][3]), light.position);
+            const float distance = glm::distance(vec3(rest.worldFromNode[i][3]), light.position);
             if (distance >= nearest) continue;
             nearest = distance;
             name = model.nodes[i].name;

@@ -1,5 +1,6 @@
 #pragma once
-// A glTF file that is being shown: its plain data, its GPU resources, its lights and what the player bumps into.
+// A glTF file that is being shown: its plain data, its GPU resources, its lights and what the
+// player bumps into.
 
 #include "engine/assets/model.h"
 #include "engine/core/jobs.h"
@@ -37,8 +38,8 @@ public:
     Level(const Level&) = delete;
     Level& operator=(const Level&) = delete;
 
-    /// Moves what the file's first animation moves, which plays over and over, and puts the lights back to what the
-    /// file says.
+    /// Moves what the file's first animation moves, which plays over and over, and puts the lights
+    /// back to what the file says.
     Result<void> advanceTo(double seconds);
 
     const assets::Model& model() const;

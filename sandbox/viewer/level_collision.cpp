@@ -10,8 +10,7 @@ std::vector<CollisionTriangle> collisionTriangles(const assets::Model& model) {
         if (drawable.deforms) continue;  // people and flags are walked through
         const assets::Geometry& geometry = model.geometries[size_t(drawable.geometry)];
         const auto corner = [&](size_t i) {
-            return transformPoint(drawable.worldFromLocal,
-                                  geometry.positions[geometry.indices[i]]);
+            return transformPoint(drawable.worldFromLocal, geometry.positions[geometry.indices[i]]);
         };
         for (size_t i = 0; i + 2 < geometry.indices.size(); i += 3)
             triangles.push_back({{corner(i), corner(i + 1), corner(i + 2)}});

@@ -10,7 +10,8 @@
 namespace rushlight {
 namespace {
 
-constexpr float kSmallFont = 13;  // pixels: the built-in font is a bitmap and sharp at multiples of 13
+constexpr float kSmallFont =
+    13;  // pixels: the built-in font is a bitmap and sharp at multiples of 13
 constexpr float kLargeFont = 26;
 
 void style() {
@@ -91,12 +92,16 @@ void OverlayUi::begin(const InputState& input, vec2 pixelsPerUnit, bool mouse, u
 }
 
 void OverlayUi::text(Anchor anchor, vec2 offset, std::string_view line, vec4 color, bool large) {
-    ImFont* font = large ? large_ : ImGui::GetFont();
     const char* begin = line.data();
     const char* end = begin + line.size();
-    const ImVec2 extent = font->CalcTextSizeA(
-        font->FontSize, std::numeric_limits<float>::max(), 0, begin, end);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const auto extentIn = [&](const ImFont* font) {
+        return font->CalcTextSizeA(font->FontSize, std::numeric_limits<float>::max(), 0, begin,
+                                   end);
+    };
+    const bool fits = extentIn(large_).x <= size.x;
+    ImFont* font = large && fits ? large_ : ImGui::GetFont();
+    const ImVec2 extent = extentIn(font);
     vec2 at = offset;
     if (anchor != Anchor::topLeft) at.x += 0.5f * (size.x - extent.x);
     if (anchor == Anchor::center) at.y += 0.5f * (size.y - extent.y);
@@ -132,7 +137,8 @@ void OverlayUi::append(const ImDrawData& data) {
     }
 }
 
-/// An ImDrawCmd's indices count from its own vertex offset; the overlay's from the first vertex of all.
+/// An ImDrawCmd's indices count from its own vertex offset; the overlay's from the first vertex of
+/// all.
 void OverlayUi::appendBatches(const ImDrawList& list, uint32_t firstVertex, uint32_t firstIndex,
                               uvec2 size) {
     for (const ImDrawCmd& command : list.CmdBuffer) {

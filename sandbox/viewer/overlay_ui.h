@@ -1,6 +1,6 @@
 #pragma once
-// Dear ImGui without a graphics back end: what it draws becomes the Overlay of the frame, so that GL is called by the
-// renderer alone.
+// Dear ImGui without a graphics back end: what it draws becomes the Overlay of the frame, so that
+// GL is called by the renderer alone.
 
 #include "engine/core/result.h"
 #include "engine/input/input.h"
@@ -28,16 +28,19 @@ public:
     OverlayUi(const OverlayUi&) = delete;
     OverlayUi& operator=(const OverlayUi&) = delete;
 
-    /// `pixelsPerUnit` scales the input's mouse position. With `mouse` false the interface ignores the mouse.
+    /// `pixelsPerUnit` scales the input's mouse position. With `mouse` false the interface ignores
+    /// the mouse.
     void begin(const InputState& input, vec2 pixelsPerUnit, bool mouse, uvec2 size, float seconds);
     /// The spans are valid until the next end().
     Overlay end();
 
-    /// The mouse is over a window or drags something of it: the game should ignore its buttons and wheel.
+    /// The mouse is over a window or drags something of it: the game should ignore its buttons and
+    /// wheel.
     bool wantsMouse() const { return wantsMouse_; }
 
     enum class Anchor : uint8_t { topLeft, topCenter, center, bottomCenter };
-    /// A line of text over the picture, between begin() and end(). `offset` in pixels from the anchor.
+    /// A line of text over the picture, between begin() and end(). `offset` in pixels from the
+    /// anchor.
     void text(Anchor anchor, vec2 offset, std::string_view line, vec4 color, bool large = false);
 
 private:

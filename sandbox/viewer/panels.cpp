@@ -125,7 +125,8 @@ void drawSettings(ViewerSettings& settings, CameraRig& camera) {
     if (beginPanel("settings", -kMargin, 330)) {
         ImGui::Checkbox("shadows", &frame.shadows);
         int cascades = int(frame.shadowCascades);
-        if (ImGui::SliderInt("cascades", &cascades, 1, 4)) frame.shadowCascades = uint32_t(cascades);
+        if (ImGui::SliderInt("cascades", &cascades, 1, 4))
+            frame.shadowCascades = uint32_t(cascades);
         ImGui::Checkbox("cache still shadows", &frame.shadowCaching);
         ImGui::Checkbox("bloom", &frame.bloom);
         ImGui::SliderFloat("bloom strength", &frame.bloomStrength, 0, 0.5f, "%.3f");

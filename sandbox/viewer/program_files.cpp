@@ -1,6 +1,7 @@
 #include "sandbox/viewer/program_files.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <system_error>
 
 namespace rushlight {
@@ -20,6 +21,18 @@ fs::path findProgramFile(const fs::path& relative) {
     if (fs::exists(installed, error)) return installed;
     if (fs::exists(relative, error)) return relative;
     return {};
+}
+
+std::string userCacheDirectory() {
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    const char* home = std::getenv("HOME");
+    fs::path folder;
+    if (cache && *cache) folder = fs::path(cache) / "rushlight";
+    else if (home && *home) folder = fs::path(home) / ".cache" / "rushlight";
+    else return {};
+    std::error_code error;
+    fs::create_directories(folder, error);
+    return error ? std::string() : folder.string();
 }
 
 std::string freeFileName(const std::string& folder, const std::string& stem,

@@ -9,8 +9,8 @@
 namespace rushlight {
 namespace {
 
-constexpr double kScriptFrame = 1.0 / 60;   // seconds: where time is an input, not the clock's
-constexpr double kMinimisedWait = 0.1;      // seconds
+constexpr double kScriptFrame = 1.0 / 60;  // seconds: where time is an input, not the clock's
+constexpr double kMinimisedWait = 0.1;     // seconds
 constexpr const char* kPictureFolder = "out";
 
 double secondsNow() {
@@ -92,7 +92,8 @@ void ViewerApp::handleKeys() {
     }
 }
 
-/// The first press gives the mouse back, the second ends the program. Heard from the window even when a script plays.
+/// The first press gives the mouse back, the second ends the program. Heard from the window even
+/// when a script plays.
 void ViewerApp::handleEscape() {
     const bool pressed = played_.wasPressed(Key::escape) || input_->wasPressed(Key::escape);
     if (!pressed) return;
@@ -236,8 +237,7 @@ Result<void> ViewerApp::render(const FrameInput& frame) {
 }
 
 Result<void> ViewerApp::savePicture(const FrameInput& frame, const std::string& path) {
-    const auto ticket =
-        renderer_->renderOffscreen(frame, size_.x, size_.y, CaptureKind::display);
+    const auto ticket = renderer_->renderOffscreen(frame, size_.x, size_.y, CaptureKind::display);
     if (!ticket) return tl::unexpected(ticket.error());
     CapturedImage image;
     renderer_->takeCapture(*ticket, true, image);

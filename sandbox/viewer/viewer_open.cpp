@@ -22,8 +22,9 @@ void writeLog(void* user, LogLevel level, std::string_view message) {
 }  // namespace
 
 Result<void> ViewerApp::open() {
-    for (const auto step : {&ViewerApp::openScript, &ViewerApp::openWindow, &ViewerApp::openRenderer,
-                            &ViewerApp::openEnvironment, &ViewerApp::openLevel})
+    for (const auto step :
+         {&ViewerApp::openScript, &ViewerApp::openWindow, &ViewerApp::openRenderer,
+          &ViewerApp::openEnvironment, &ViewerApp::openLevel})
         if (auto done = (this->*step)(); !done) return done;
     if (options_.frames) {
         lastFrame_ = options_.frames;
@@ -68,7 +69,7 @@ Result<void> ViewerApp::openRenderer() {
     desc.loadGl = window_->loader();
     desc.jobs = jobs_.get();
     desc.log = {writeLog, const_cast<ViewerOptions*>(&options_)};
-    desc.cacheDirectory = options_.cacheDirectory;
+    desc.cacheDirectory = userCacheDirectory();
     desc.shaderDirectory = shaderDirectory_;
     auto renderer = Renderer::create(desc);
     if (!renderer) return tl::unexpected(renderer.error());
@@ -111,12 +112,12 @@ Result<void> ViewerApp::openLevel() {
     return {};
 }
 
-/// In this order: --eye and --target, --camera, the node "spawn", the file's first camera, one that sees everything.
+/// In this order: --eye and --target, --camera, the node "spawn", the file's first camera, one that
+/// sees everything.
 Result<void> ViewerApp::placeCamera() {
     const auto found = level_->camera(options_.camera);
     if (!options_.camera.empty() && !found)
-        return fail(options_.scene, "There is no camera '" + options_.camera +
-                                        "'; the file has " +
+        return fail(options_.scene, "There is no camera '" + options_.camera + "'; the file has " +
                                         std::to_string(level_->model().cameras.size()) + ".");
     lens_ = found ? *found : level_->framingCamera();
     CameraPose eyes{lens_.position, LookAngles::along(lens_.forward)};
@@ -134,7 +135,8 @@ Result<void> ViewerApp::placeCamera() {
         feet = vec3((*spawn)[3]);
         if (options_.camera.empty() && !options_.eye)
             // A thing faces +z, unlike a camera (glTF 2.0, section 3.4).
-            eyes = {feet + vec3(0, WalkCamera::kEyeHeight, 0), LookAngles::along(vec3((*spawn)[2]))};
+            eyes = {feet + vec3(0, WalkCamera::kEyeHeight, 0),
+                    LookAngles::along(vec3((*spawn)[2]))};
     }
     camera_.startAt(eyes, feet, options_.cameraMode);
     return {};

@@ -1,5 +1,6 @@
 #pragma once
-// GLFW's events as engine/input's state: the one file pair of the viewer that knows the window library.
+// GLFW's events as engine/input's state: the one file pair of the viewer that knows the window
+// library.
 
 #include "engine/input/input.h"
 

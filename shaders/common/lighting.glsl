@@ -4,7 +4,6 @@
 #include "interop/bindings.h"
 #include "interop/brdf.h"
 #include "interop/frame_uniforms.h"
-#include "interop/sh.h"
 
 #if defined(SUN_SHADOW)
 layout(binding = RL_TEXTURE_SHADOW) uniform sampler2DArrayShadow shadowMap;
@@ -16,6 +15,7 @@ layout(binding = RL_TEXTURE_LIGHT_INDICES) uniform usamplerBuffer lightIndexTexe
 #endif
 #if defined(ENVIRONMENT)
 layout(binding = RL_TEXTURE_ENVIRONMENT) uniform samplerCube environmentMap;
+layout(binding = RL_TEXTURE_IRRADIANCE) uniform samplerCube irradianceMap;
 layout(binding = RL_TEXTURE_BRDF_TABLE) uniform sampler2D brdfTable;
 #endif
 
@@ -177,7 +177,8 @@ vec3 ambientLight(LitSurface s) {
     EnvironmentWeights w = environmentWeights(albedo, s.point.f0, table);
     vec3 specular =
         textureLod(environmentMap, rt, environmentLevel(s.roughness, L_ENVIRONMENT.w)).rgb;
-    vec3 light = w.diffuse * L_IRRADIANCE(nt) + w.specular * specular;
+    vec3 irradiance = textureLod(irradianceMap, nt, 0.0).rgb;
+    vec3 light = w.diffuse * irradiance + w.specular * specular;
     return light * (L_ENVIRONMENT.z * s.occlusion);
 #elif defined(HEMISPHERE)
     // The specular lobe of a hemisphere, without a table: Karis 2014, "Physically Based Shading on Mobile".

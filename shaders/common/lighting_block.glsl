@@ -11,4 +11,3 @@ layout(std140, binding = RL_UNIFORMS_LIGHTING) uniform LightingBlock { LightingU
 #define L_ENVIRONMENT lighting.environment
 #define L_AMBIENT_SKY lighting.ambientSky
 #define L_AMBIENT_GROUND lighting.ambientGround
-#define L_IRRADIANCE(n) evaluateIrradiance(lighting.irradiance, n)

@@ -31,8 +31,6 @@ layout(location = 22) flat LIGHTING_VARYING vec4 flatClusterCounts;
 #endif
 #if defined(ENVIRONMENT)
 layout(location = 23) flat LIGHTING_VARYING vec4 flatEnvironment;
-// Nine coefficients of three channels in seven vectors
-layout(location = 24) flat LIGHTING_VARYING vec4 flatIrradiance[7];
 #elif defined(HEMISPHERE)
 layout(location = 23) flat LIGHTING_VARYING vec4 flatAmbientSky;
 layout(location = 24) flat LIGHTING_VARYING vec4 flatAmbientGround;
@@ -69,14 +67,6 @@ void writeLightingVaryings(vec2 uv) {
 #endif
 #if defined(ENVIRONMENT)
     flatEnvironment = lighting.environment;
-    IrradianceSh sh = lighting.irradiance;
-    flatIrradiance[0] = vec4(sh.constant.xyz, sh.y.x);
-    flatIrradiance[1] = vec4(sh.y.yz, sh.z.xy);
-    flatIrradiance[2] = vec4(sh.z.z, sh.x.xyz);
-    flatIrradiance[3] = vec4(sh.xy.xyz, sh.yz.x);
-    flatIrradiance[4] = vec4(sh.yz.yz, sh.zz.xy);
-    flatIrradiance[5] = vec4(sh.zz.z, sh.xz.xyz);
-    flatIrradiance[6] = vec4(sh.xxMinusYy.xyz, 0.0);
 #elif defined(HEMISPHERE)
     flatAmbientSky = lighting.ambientSky;
     flatAmbientGround = lighting.ambientGround;
@@ -95,10 +85,4 @@ void writeLightingVaryings(vec2 uv) {
 #define L_ENVIRONMENT flatEnvironment
 #define L_AMBIENT_SKY flatAmbientSky
 #define L_AMBIENT_GROUND flatAmbientGround
-#define L_IRRADIANCE(n)                                                                        \
-    evaluateIrradiance(n, flatIrradiance[0].xyz, vec3(flatIrradiance[0].w, flatIrradiance[1].xy), \
-                       vec3(flatIrradiance[1].zw, flatIrradiance[2].x), flatIrradiance[2].yzw,    \
-                       flatIrradiance[3].xyz, vec3(flatIrradiance[3].w, flatIrradiance[4].xy),    \
-                       vec3(flatIrradiance[4].zw, flatIrradiance[5].x), flatIrradiance[5].yzw,    \
-                       flatIrradiance[6].xyz)
 #endif

@@ -70,12 +70,16 @@ struct SurfaceSample {
     float metallic;
     float roughness;
     float occlusion;
-    vec3 normal;  // unit, facing the camera's side of the triangle
+    vec3 normal;  // facing the camera's side of the triangle; unit in forward passes
     vec3 emissive;
 };
 
 vec3 shadedNormal(Material material) {
+#if defined(FORWARD) || defined(NORMAL_TEXTURE)
     vec3 n = normalize(surfaceNormal);
+#else
+    vec3 n = surfaceNormal;  // the G-buffer's encoder takes any length
+#endif
 #if defined(NORMAL_TEXTURE)
     vec3 t = surfaceTangent.xyz;
     vec3 b = cross(n, t) * surfaceTangent.w;
@@ -121,11 +125,7 @@ SurfaceSample sampleSurface() {
                                                             material.texel1.w)).x;
     s.occlusion += unpackHalf2x16(material.texel0.w).y * (ao - 1.0);
 #endif
-#if defined(UNLIT)
-    s.normal = normalize(surfaceNormal);
-#else
     s.normal = shadedNormal(material);
-#endif
     s.emissive = vec3(0.0);
 #if defined(EMISSIVE)
     s.emissive = vec3(unpackHalf2x16(material.texel1.x), unpackHalf2x16(material.texel1.y).x);

@@ -13,7 +13,7 @@ RL_INLINE float roundHalfUp(float x) { return floor(x + 0.5f); }
 
 // ---- octahedral directions: Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors"
 
-/// Unit vector to the square [-1, 1]^2.
+/// A direction, of any length but zero, to the square [-1, 1]^2.
 RL_INLINE vec2 encodeOctahedral(vec3 n) {
     float scale = 1.0f / (abs(n.x) + abs(n.y) + abs(n.z));
     float x = n.x * scale;
@@ -34,17 +34,12 @@ RL_INLINE vec3 decodeOctahedral(vec2 e) {
 //     [   x 11..4  ][   x 3..0   ][  y 11..8   ][   y 7..0   ]     code = 2048 + round(2047 v), so that 0 is exact
 //           r             g high        g low          b
 
-/// `code` = two whole numbers in [0, 4095].
-RL_INLINE vec3 packCodes12(vec2 code) {
-    float xHigh = floor(code.x * (1.0f / 16.0f));
-    float yHigh = floor(code.y * (1.0f / 256.0f));
-    return vec3(xHigh, (code.x - xHigh * 16.0f) * 16.0f + yHigh, code.y - yHigh * 256.0f) *
-           (1.0f / 255.0f);
-}
-
 RL_INLINE vec3 packSigned12(vec2 v) {
-    return packCodes12(vec2(2048.0f + roundHalfUp(clamp(v.x, -1.0f, 1.0f) * 2047.0f),
-                            2048.0f + roundHalfUp(clamp(v.y, -1.0f, 1.0f) * 2047.0f)));
+    float x = 2048.0f + roundHalfUp(clamp(v.x, -1.0f, 1.0f) * 2047.0f);
+    float y = 2048.0f + roundHalfUp(clamp(v.y, -1.0f, 1.0f) * 2047.0f);
+    float xHigh = floor(x * (1.0f / 16.0f));
+    float yHigh = floor(y * (1.0f / 256.0f));
+    return vec3(xHigh, (x - xHigh * 16.0f) * 16.0f + yHigh, y - yHigh * 256.0f) * (1.0f / 255.0f);
 }
 
 RL_INLINE vec2 unpackSigned12(vec3 texel) {
@@ -57,29 +52,8 @@ RL_INLINE vec2 unpackSigned12(vec3 texel) {
     return vec2(x - 2048.0f, y - 2048.0f) * (1.0f / 2047.0f);
 }
 
-/// Unit normal in three 8-bit channels; within 0.05 degrees.
-///
-/// Rounding: on a face of the octahedron an error (x, y), signs taken out, is as long as x^2 + y^2 + (x + y)^2, for z
-/// moves by -(x + y). With x >= |y| after rounding each, x - 1 is nearer if 2 x + y > 1: the codes form a hexagonal
-/// lattice, and the worst error falls by a third.
-RL_INLINE vec3 packNormal(vec3 n) {
-    vec2 e = encodeOctahedral(n) * 2047.0f;
-    float x = roundHalfUp(e.x);
-    float y = roundHalfUp(e.y);
-    float signX = signNotZero(e.x);
-    float signY = signNotZero(e.y);
-    float errorX = (e.x - x) * signX;
-    float errorY = (e.y - y) * signY;
-    float sum = errorX + errorY;
-    float step = signNotZero(sum);
-    bool moveX = abs(errorX) > abs(errorY);
-    float larger = moveX ? errorX : errorY;
-    if (abs(larger + sum) > 1.0f) {
-        if (moveX) x += step * signX;
-        else y += step * signY;
-    }
-    return packCodes12(vec2(2048.0f + clamp(x, -2047.0f, 2047.0f), 2048.0f + clamp(y, -2047.0f, 2047.0f)));
-}
+/// A direction of any length in three 8-bit channels; within 0.06 degrees.
+RL_INLINE vec3 packNormal(vec3 n) { return packSigned12(encodeOctahedral(n)); }
 RL_INLINE vec3 unpackNormal(vec3 texel) { return decodeOctahedral(unpackSigned12(texel)); }
 
 /// Velocity in texture coordinates per frame, at most one screen, companded by the square root: a still pixel is

@@ -3,7 +3,6 @@
 #define RL_INTEROP_FRAME_UNIFORMS_H
 
 #include "interop/interop.h"
-#include "interop/sh.h"
 
 RL_INTEROP_BEGIN
 
@@ -36,7 +35,6 @@ struct LightingUniforms {
     vec4 shadowSettings;                   // x: cascades, y: texels of one, z: 1 / y
     vec4 directionalDirections[RL_MAX_DIRECTIONAL_LIGHTS];    // xyz: towards the light
     vec4 directionalIlluminances[RL_MAX_DIRECTIONAL_LIGHTS];  // rgb: lux
-    IrradianceSh irradiance;
     vec4 environment;     // x, y: cosine and sine of its rotation, z: intensity, w: last mip of the prefiltered cube
     vec4 ambientSky;      // rgb
     vec4 ambientGround;   // rgb
@@ -47,7 +45,7 @@ RL_INTEROP_END
 
 #ifndef GLSL
 static_assert(sizeof(rushlight::interop::ViewUniforms) == 160);
-static_assert(sizeof(rushlight::interop::LightingUniforms) == 16 * (10 + 3 + 4 + 1 + 8 + 9 + 4));
+static_assert(sizeof(rushlight::interop::LightingUniforms) == 16 * (10 + 3 + 4 + 1 + 8 + 4));
 #endif
 
 #endif

@@ -1,4 +1,5 @@
-// picture_varies FILE MIN: fails unless the standard deviation of the picture's luma is at least MIN (of 1).
+// picture_varies FILE MIN: fails unless the standard deviation of the picture's luma is at least
+// MIN (of 1).
 
 #include "renderer/capture/image_files.h"
 

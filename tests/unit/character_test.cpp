@@ -75,7 +75,8 @@ TEST_P(CharacterTest, CannotSqueezeOutOfAnAcuteCorner) {
     const TriangleGrid level(triangles);
     Character character({0, 0, 3});
     walk(character, level, {0.3f, 0, -20}, 3, GetParam());
-    // A circle of 0.3 m touches both walls 0.3 / sin(10 degrees) from the corner; 0.15 m of penetration at most.
+    // A circle of 0.3 m touches both walls 0.3 / sin(10 degrees) from the corner; 0.15 m of
+    // penetration at most.
     EXPECT_GT(character.feet().z, -5 + 0.15f / std::sin(kPi / 18));
     EXPECT_LT(std::abs(character.feet().x), (character.feet().z + 5) * std::tan(kPi / 18));
 }

@@ -6,14 +6,14 @@
 
 namespace {
 
-struct Run {
+struct Ended {
     int code = -1;
     std::string errors;
 };
 
 /// Runs the tool; collects standard error alone.
-Run run(const std::string& arguments) {
-    Run result;
+Ended run(const std::string& arguments) {
+    Ended result;
     const std::string command = RUSHLIGHT_TOOL " " + arguments + " 2>&1 >/dev/null";
     FILE* pipe = popen(command.c_str(), "r");
     if (!pipe) return result;
@@ -25,7 +25,7 @@ Run run(const std::string& arguments) {
 }
 
 void expectError(const std::string& arguments, int code) {
-    const Run result = run(arguments);
+    const Ended result = run(arguments);
     EXPECT_EQ(result.code, code) << arguments;
     EXPECT_TRUE(result.errors.starts_with("rushlight: error: ")) << result.errors;
     EXPECT_EQ(result.errors.find('\n'), result.errors.size() - 1) << result.errors;
@@ -33,7 +33,7 @@ void expectError(const std::string& arguments, int code) {
 
 TEST(Cli, HelpWorksForEverySubcommand) {
     for (const char* command : {"", "capture ", "compare ", "bench ", "info ", "doctor "}) {
-        const Run result = run(std::string(command) + "--help");
+        const Ended result = run(std::string(command) + "--help");
         EXPECT_EQ(result.code, 0) << command;
         EXPECT_EQ(result.errors, "");
     }
@@ -46,7 +46,11 @@ TEST(Cli, WrongUseIsTwo) {
           "capture a.glb -o a.png --eye 1,2,3", "capture a.glb -o a.png --pass nonsense",
           "capture a.glb -o a.bmp", "capture a.glb -o a.png --frames 0-3",
           "capture a.glb -o %d.png --frames 3-0", "capture a.glb -o a.png --shadows maybe",
-          "compare a.png", "bench a.glb --frames 0"})
+          "compare a.png", "bench a.glb --frames 0",
+          "capture a.glb -o a.png --exposure-scale nan", "capture a.glb -o a.png --fov nan",
+          "capture a.glb -o a.png --environment-rotation inf",
+          "capture a.glb -o a.png --size 99999x99999", "capture a.glb -o %d.png --frames 0-1 --fps nan",
+          "compare a.png b.png --flip nan", "compare a.png b.png --pixels-per-degree nan"})
         expectError(arguments, 2);
 }
 

@@ -40,7 +40,8 @@ TEST(ClosestTest, NoSampledPairIsNearer) {
             const vec3 on = glm::mix(segment.start, segment.end, float(s) / kSteps);
             for (int u = 0; u <= kSteps; ++u)
                 for (int v = 0; u + v <= kSteps; ++v) {
-                    const vec3 p = a + (b - a) * (float(u) / kSteps) + (c - a) * (float(v) / kSteps);
+                    const vec3 p =
+                        a + (b - a) * (float(u) / kSteps) + (c - a) * (float(v) / kSteps);
                     sampled = std::min(sampled, glm::dot(p - on, p - on));
                 }
         }

@@ -21,9 +21,7 @@ protected:
     }
     void TearDown() override { fs::remove_all(folder_); }
 
-    void write(const char* name, const std::string& text) {
-        std::ofstream(folder_ / name) << text;
-    }
+    void write(const char* name, const std::string& text) { std::ofstream(folder_ / name) << text; }
     /// How often a change is told in the next two seconds.
     int changes(FileWatch& watch) {
         int count = 0;

@@ -35,11 +35,11 @@ TEST(InputScriptTest, TapsTurnsAndScrolls) {
 
 TEST(InputScriptTest, SaysWhatIsWrongAndWhere) {
     const std::pair<const char*, const char*> cases[] = {
-        {"0 tap e\nhello", "s:2"},       {"-1 tap e", "s:1"},
-        {"0 tap hyper", "'hyper'"},      {"0 jump", "'jump'"},
-        {"0 look 3", "'look'"},          {"0 turn 0 1 1", "'turn'"},
-        {"0 tap e e", "'tap'"},          {"5 tap e\n4 tap e", "4 follows 5"},
-        {"99999999999 tap e", "s:1"},    {"0 turn -5 1 1", "'turn'"}};
+        {"0 tap e\nhello", "s:2"},    {"-1 tap e", "s:1"},
+        {"0 tap hyper", "'hyper'"},   {"0 jump", "'jump'"},
+        {"0 look 3", "'look'"},       {"0 turn 0 1 1", "'turn'"},
+        {"0 tap e e", "'tap'"},       {"5 tap e\n4 tap e", "4 follows 5"},
+        {"99999999999 tap e", "s:1"}, {"0 turn -5 1 1", "'turn'"}};
     for (const auto& [text, expected] : cases) {
         const auto script = InputScript::parse("s", text);
         ASSERT_FALSE(script) << text;

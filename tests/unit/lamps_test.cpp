@@ -11,7 +11,7 @@ namespace {
 std::vector<PunctualLight> threeLights() {
     std::vector<PunctualLight> lights(3);
     lights[0].position = {0, 3, 0};
-    lights[1].position = {1, 3, 0};
+    lights[1].position = {2.5f, 3, 0};
     lights[2].position = {20, 3, 0};
     return lights;
 }

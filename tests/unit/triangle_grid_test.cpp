@@ -67,7 +67,8 @@ TEST(TriangleGridTest, FindsWhatTouchesABoxAsExhaustiveSearchDoes) {
         box.grow(vec3(number(), number(), number()));
         box.grow(box.low + vec3(3, 2, 4));
         std::set<float> found, expected;
-        grid.forEachTouching(box, [&](const CollisionTriangle& t) { found.insert(t.corners[0].x); });
+        grid.forEachTouching(box,
+                             [&](const CollisionTriangle& t) { found.insert(t.corners[0].x); });
         for (const CollisionTriangle& t : triangles) {
             Aabb own;
             for (const vec3& corner : t.corners) own.grow(corner);

@@ -1,0 +1,62 @@
+#include "tests/golden/goldens.h"
+
+#include <vector>
+
+namespace rushlight {
+namespace {
+
+constexpr const char* kContent = RUSHLIGHT_SOURCE "/content/";
+
+Golden passOfTestCard(const char* name, ShownImage show) {
+    Golden golden{name, "testcard/testcard.gltf", "", {}};
+    golden.view.settings.show = show;
+    return golden;
+}
+
+Golden frame(const char* name, const char* scene, const char* environment, const char* camera) {
+    Golden golden{name, scene, environment, {}};
+    golden.view.camera = camera;
+    golden.view.width = 640;
+    golden.view.height = 360;
+    // The noise of dithering would be most of the file; it has a test of its own.
+    golden.view.settings.dither = false;
+    return golden;
+}
+
+std::vector<Golden> makeGoldens() {
+    const char* dusk = "square/dusk.hdr";
+    return {frame("testcard", "testcard/testcard.gltf", "", "card"),
+            frame("testcard_dusk", "testcard/testcard.gltf", dusk, "card"),
+            frame("square", "square/square.gltf", dusk, "square"),
+            passOfTestCard("testcard_basecolor", ShownImage::baseColor),
+            passOfTestCard("testcard_normal", ShownImage::normal),
+            passOfTestCard("testcard_depth", ShownImage::depth),
+            passOfTestCard("testcard_shadow", ShownImage::shadow)};
+}
+
+}  // namespace
+
+std::span<const Golden> goldens() {
+    static const std::vector<Golden> all = makeGoldens();
+    return all;
+}
+
+Result<CapturedImage> renderGolden(const Golden& golden, GlLoadFunction loadGl,
+                                   const std::string& shaderDirectory) {
+    RendererDesc desc;
+    desc.loadGl = loadGl;
+    desc.shaderDirectory = shaderDirectory;
+    auto renderer = Renderer::create(desc);
+    if (!renderer) return tl::unexpected(renderer.error());
+    const std::string environment =
+        *golden.environment ? kContent + std::string(golden.environment) : std::string();
+    auto scene = SceneFrames::open(**renderer, kContent + std::string(golden.scene), environment);
+    if (!scene) return tl::unexpected(scene.error());
+    return (*scene)->render(golden.view);
+}
+
+std::string goldenPath(const Golden& golden) {
+    return RUSHLIGHT_SOURCE "/tests/golden/" + std::string(golden.name) + ".png";
+}
+
+}  // namespace rushlight
