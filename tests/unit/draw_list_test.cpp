@@ -47,7 +47,10 @@ protected:
         resolveInstances(instances, previous.size(), geometry, materials, jobs, resolved);
         const CameraMatrices camera = makeCamera({}, 1).value();
         buffer.clear();
-        list.gather(kind, instances, resolved, camera.frustum, camera.position, camera.forward, cull);
+        const auto sees = [&](const vec3& center, const vec3& halfExtent) {
+            return !cull || intersects(camera.frustum, center, halfExtent);
+        };
+        list.gather(kind, instances, resolved, camera.position, camera.forward, sees);
         list.allocate(buffer);
         list.fill(buffer, instances, resolved, previous);
     }
