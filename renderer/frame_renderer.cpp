@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace rushlight {
 namespace {
@@ -118,11 +119,25 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
             return wrong("lighting", "a directional light is not finite or has no direction.");
     for (const PunctualLight& light : lighting.punctual)
         if (!std::isfinite(glm::length(light.position) + glm::length(light.intensity) +
-                           glm::length(light.direction) + light.range))
+                           glm::length(light.direction) + light.range + light.innerConeAngle +
+                           light.outerConeAngle))
             return wrong("lighting", "a point or spot light is not finite.");
     if (lighting.environment && !environments.find(lighting.environment))
         return wrong("lighting", "the environment is a stale handle.");
+    if (!std::isfinite(glm::length(lighting.ambientSky) + glm::length(lighting.ambientGround) +
+                       glm::length(lighting.backgroundColor) + lighting.environmentRotation +
+                       lighting.environmentIntensity))
+        return wrong("lighting", "the ambient light, the background or the environment's rotation "
+                                 "or intensity is not finite.");
     const FrameSettings& s = input.settings;
+    for (const auto& [name, value] : {std::pair("shadowDistance", s.shadowDistance),
+                                      std::pair("bloomStrength", s.bloomStrength),
+                                      std::pair("exposureScale", s.exposureScale),
+                                      std::pair("exposureValue", s.exposureValue),
+                                      std::pair("deltaTime", s.deltaTime)})
+        if (!std::isfinite(value))
+            return wrong("settings", std::string(name) + " is " + std::to_string(value) +
+                                         "; it must be finite.");
     if (s.shadows && (s.shadowCascades < 1 || s.shadowCascades > 4 ||
                       s.shadowResolution < 64 || s.shadowResolution > 8192))
         return wrong("settings", "shadows need 1 to 4 cascades of 64 to 8,192 texels; " +

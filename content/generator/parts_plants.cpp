@@ -1,5 +1,8 @@
 #include "content/generator/parts.h"
 
+// Every random number is drawn into a variable of its own: the order in which a compiler evaluates
+// the arguments of a call is free, and the files must not depend on it.
+
 namespace rushlight::content {
 namespace {
 
@@ -32,8 +35,10 @@ void crown(MeshBuilder& b, Random& random, const vec3& center, const vec3& radii
         const vec3 out = randomDirection(random);
         const float reach = random.range(0.62f, 1.0f);
         const vec3 facing = normalize(out + 0.6f * randomDirection(random));
-        leafCard(b, center + out * radii * reach, facing, double(random.next()),
-                 size * random.range(0.8f, 1.2f), normalize(out + vec3(0, 0.25f, 0)));
+        const float roll = random.next();
+        const float cardSize = size * random.range(0.8f, 1.2f);
+        leafCard(b, center + out * radii * reach, facing, double(roll), cardSize,
+                 normalize(out + vec3(0, 0.25f, 0)));
     }
 }
 
@@ -104,14 +109,20 @@ MeshBuilder ivyPart(float width, float height, uint32_t seed) {
     b.use(Mat::ivy);
     const int cards = int(width * height * 7);
     for (int i = 0; i < cards; ++i) {
-        const float t = random.next() * random.next();
+        const float far = random.next();
+        const float t = far * random.next();
         const float reach =
             width / 2 * (1 - 0.65f * t) * (0.75f + 0.25f * float(sinTurns(double(t) * 3 + 0.1)));
-        const vec3 center(random.range(-reach, reach) + 0.15f * float(sinTurns(double(t) * 1.3)),
-                          0.15f + height * t, random.range(0.05f, 0.16f));
-        const vec3 facing =
-            normalize(vec3(random.range(-0.4f, 0.4f), random.range(-0.1f, 0.5f), 1));
-        leafCard(b, center, facing, double(random.next()), random.range(0.35f, 0.55f),
+        const float across = random.range(-reach, reach);
+        const float off = random.range(0.05f, 0.16f);
+        const vec3 center(across + 0.15f * float(sinTurns(double(t) * 1.3)), 0.15f + height * t,
+                          off);
+        const float turn = random.range(-0.4f, 0.4f);
+        const float tilt = random.range(-0.1f, 0.5f);
+        const vec3 facing = normalize(vec3(turn, tilt, 1));
+        const float roll = random.next();
+        const float cardSize = random.range(0.35f, 0.55f);
+        leafCard(b, center, facing, double(roll), cardSize,
                  normalize(vec3(0.5f * facing.x, 0.2f, 1)));
     }
     return b;

@@ -12,15 +12,17 @@ constexpr int kWidth = 128, kHeight = 64;
 constexpr vec3 kSunside{-0.647f, 0, 0.762f};
 
 vec3 skyRadiance(const vec3& d, float u, float v) {
-    const vec3 zenith(0.075f, 0.105f, 0.21f), horizon(0.30f, 0.20f, 0.185f),
-        glow(0.85f, 0.42f, 0.16f);
-    if (d.y < 0) return mix(vec3(0.085f, 0.068f, 0.058f), vec3(0.05f, 0.045f, 0.042f), -d.y);
-    const float low = (1 - d.y) * (1 - d.y);
+    const vec3 zenith(0.085f, 0.125f, 0.25f), horizon(0.34f, 0.225f, 0.20f),
+        glow(0.95f, 0.47f, 0.18f), ground(0.085f, 0.070f, 0.062f);
+    const float up = d.y > 0 ? d.y : 0;
+    const float low = (1 - up) * (1 - up);
     const float toSun = saturate(0.5f + 0.5f * dot(normalize(vec3(d.x, 0.001f, d.z)), kSunside));
     vec3 sky = mix(zenith, horizon, low * low);
     sky += glow * (toSun * toSun * toSun * low * low * low * 0.8f);
     const float veil = smooth(0.52f, 0.72f, fractalNoise(u, v, 6, 9, 4, 901)) * low;
-    return sky + vec3(0.16f, 0.085f, 0.06f) * (veil * (0.3f + 0.7f * toSun));
+    sky += vec3(0.16f, 0.085f, 0.06f) * (veil * (0.3f + 0.7f * toSun));
+    // The far country fades into haze: a hard edge at the horizon would show over the roofs.
+    return mix(sky, ground, smooth(0, 0.35f, -d.y));
 }
 
 /// Shared exponent: mantissas in [0, 256), the greatest at least 128 (Ward, "Real Pixels", Graphics

@@ -117,7 +117,7 @@ void buildFurniture(Square& s) {
         potted({kWestFront + 0.36f, 0.15f, kNorthFront + kBay * (2 * float(i) + 2)});
     for (const float z : {-13.2f, -6.6f, 1.6f, 9.0f, 14.4f}) potted({kEastFront - 0.62f, 0.12f, z});
     const vec2 trees[] = {
-        {-10.5f, -5.0f}, {7.6f, -6.2f}, {-9.4f, 10.4f}, {11.8f, 12.6f}, {-4.0f, 14.0f}};
+        {-10.5f, -5.0f}, {10.2f, -4.6f}, {-9.4f, 10.4f}, {11.8f, 12.6f}, {-4.0f, 14.0f}};
     int trees_ = 0;
     for (const vec2& p : trees) {
         const std::string name = numbered("tree", ++trees_);

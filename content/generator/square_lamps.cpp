@@ -40,7 +40,7 @@ void addPost(Square& s, const LampKit& kit, const vec3& position, double yaw) {
     const int post = s.document.addNode(numbered("lamp.post", s.lamps / 2 + 1), -1,
                                         at(position, yaw), s.document.mesh(kit.post));
     for (const float x : {-0.62f, 0.62f})
-        addLantern(s, kit, post, {x, 3.50f, 0}, LampColor::warm, 9, 9);
+        addLantern(s, kit, post, {x, 3.50f, 0}, LampColor::warm, 22, 12);
 }
 
 void addBracket(Square& s, const LampKit& kit, const Placement& place, LampColor color,
@@ -74,17 +74,17 @@ void buildLamps(Square& s) {
     const WallFrame north = northArcade(), west = westArcade();
     for (int i = 0; i < 6; ++i)
         addSwing(s, kit, north.point({kBay * (2 * float(i) - 5), 4.12f, -1.9f}),
-                 i % 3 == 2 ? LampColor::amber : LampColor::warm, 6);
+                 i % 3 == 2 ? LampColor::amber : LampColor::warm, 8);
     for (int i = 0; i < 5; ++i)
         addSwing(s, kit, west.point({kBay * (2 * float(i) - 4.5f), 4.12f, -1.9f}),
-                 i % 2 ? LampColor::amber : LampColor::warm, 6);
+                 i % 2 ? LampColor::amber : LampColor::warm, 8);
 
     const WallFrame east = eastRow(), south = southWall();
     for (const float x : {-14.4f, -8.0f, -3.2f, 8.0f, 14.4f})
-        addBracket(s, kit, east.at({x, 3.15f, 0}), LampColor::warm, 5, 7);
+        addBracket(s, kit, east.at({x, 3.15f, 0}), LampColor::warm, 9, 9);
     for (const float side : {-1.0f, 1.0f})
-        addBracket(s, kit, south.at({-kGateX + 2.6f * side, 3.7f, 0.46f}), LampColor::amber, 8, 8);
-    addBracket(s, kit, south.at({9.0f, 3.6f, 0.02f}), LampColor::cool, 5, 7);
+        addBracket(s, kit, south.at({-kGateX + 2.6f * side, 3.7f, 0.46f}), LampColor::amber, 14, 10);
+    addBracket(s, kit, south.at({12.5f, 3.6f, 0.02f}), LampColor::cool, 9, 9);
     addBracket(s, kit, at(kTowerAt + vec3(2.75f, 6.4f, 1.6f), 0.25), LampColor::cool, 6, 8);
 
     // Over two of the stalls.
@@ -104,7 +104,7 @@ void buildLamps(Square& s) {
     spot("spot.gate", {kGateX, 4.4f, kSouthFront - 3.2f}, {kGateX, 5.6f, kSouthFront},
          {LightSpec::Kind::spot, {1, 0.75f, 0.5f}, 8, 8, 0.08f});
     const int glow = d.addNode("lamp.fountain", -1, at({-1.0f, 3.05f, -0.2f}));
-    d.addLight(glow, {LightSpec::Kind::point, {0.55f, 0.80f, 1.0f}, 1.6f, 6});
+    d.addLight(glow, {LightSpec::Kind::point, {0.55f, 0.80f, 1.0f}, 0.7f, 6});
 }
 
 }  // namespace rushlight::content

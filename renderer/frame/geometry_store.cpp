@@ -103,6 +103,7 @@ Result<void> GeometryStore::update(MeshHandle handle, const MeshDesc& desc) {
                     ErrorKind::wrongUse);
     mesh->bounds = {};
     for (const vec3& p : desc.positions) mesh->bounds.grow(p);
+    mesh->closed = false;  // vertices that were in one place may have parted; to check costs more than it saves
     upload(*mesh, desc);
     return {};
 }

@@ -14,7 +14,7 @@ namespace rushlight {
 namespace {
 
 struct Slot {
-    const TextureSlot MaterialDesc::*texture;
+    TextureSlot MaterialDesc::*texture;
     uint32_t flag;
     const char* name;
 };
@@ -133,7 +133,10 @@ uint32_t MaterialStore::internSet(const TextureSet& set) {
 
 // Layout: shaders/interop/surface_flags.h.
 void MaterialStore::pack(Stored& stored) {
-    const MaterialDesc& desc = stored.desc;
+    MaterialDesc& desc = stored.desc;
+    for (const Slot& slot : kSlots)  // an image that was destroyed leaves its materials
+        if (TextureSlot& texture = desc.*slot.texture; !textures_.has(texture.image)) texture.image = {};
+    stored.gpu.surfaceFlags = surfaceFlags(desc);
     const auto half2 = [](float x, float y) { return glm::packHalf2x16(vec2(x, y)); };
     TextureSet set{};
     std::array<uint32_t, kTextureSlots> layers{};

@@ -33,6 +33,23 @@ const SrgbTables& srgbTables() {
     return tables;
 }
 
+// What a texel of the smaller level covers along one axis: of an odd size 2m + 1, texel i covers (2m + 1) / m texels,
+// three in parts. Guthe and Heckbert, "Non-Power-of-Two Mipmapping", NVIDIA, 2005.
+struct Taps {
+    uint32_t first, count;
+    uint32_t weights[3];
+
+    Taps(uint32_t i, uint32_t size) : first(2 * i), count(size == 1 ? 1 : 2 + size % 2), weights{1, 1, 0} {
+        if (count != 3) return;
+        const uint32_t m = size / 2;
+        weights[0] = m - i;
+        weights[1] = m;
+        weights[2] = i + 1;
+    }
+    /// The sum of the weights of any texel.
+    static uint32_t total(uint32_t size) { return size % 2 ? size : 2; }
+};
+
 }  // namespace
 
 uint32_t mipLevelCount(uint32_t width, uint32_t height) {
@@ -46,22 +63,26 @@ std::vector<uint8_t> halveImage(std::span<const uint8_t> pixels, uint32_t width,
     const uint32_t halfWidth = std::max(width / 2, 1u), halfHeight = std::max(height / 2, 1u);
     std::vector<uint8_t> half(size_t(halfWidth) * halfHeight * 4);
     const SrgbTables& tables = srgbTables();
+    const uint64_t total = uint64_t(Taps::total(width)) * Taps::total(height);
+    uint8_t* out = half.data();
     for (uint32_t y = 0; y < halfHeight; ++y) {
-        const uint8_t* row0 = pixels.data() + size_t(std::min(2 * y, height - 1)) * width * 4;
-        const uint8_t* row1 = pixels.data() + size_t(std::min(2 * y + 1, height - 1)) * width * 4;
-        uint8_t* out = half.data() + size_t(y) * halfWidth * 4;
-        for (uint32_t x = 0; x < halfWidth; ++x, out += 4) {
-            const size_t left = size_t(std::min(2 * x, width - 1)) * 4;
-            const size_t right = size_t(std::min(2 * x + 1, width - 1)) * 4;
+        const Taps rows(y, height);
+        for (uint32_t x = 0; x < halfWidth; ++x) {
+            const Taps columns(x, width);
             for (size_t c = 0; c < 4; ++c) {
-                const uint8_t a = row0[left + c], b = row0[right + c];
-                const uint8_t d = row1[left + c], e = row1[right + c];
-                if (srgb && c < 3) {
-                    const auto& t = tables.toLinear;
-                    out[c] = tables.fromLinear[size_t(t[a] + t[b] + t[d] + t[e] + 2) / 4];
-                } else {
-                    out[c] = uint8_t((a + b + d + e + 2) / 4);
+                const bool linear = srgb && c < 3;
+                uint64_t sum = total / 2;
+                for (uint32_t r = 0; r < rows.count; ++r) {
+                    const uint8_t* texel =
+                        pixels.data() + (size_t(rows.first + r) * width + columns.first) * 4 + c;
+                    uint64_t row = 0;
+                    for (uint32_t k = 0; k < columns.count; ++k)
+                        row += columns.weights[k] * uint64_t(linear ? tables.toLinear[texel[k * 4]]
+                                                                    : texel[k * 4]);
+                    sum += row * rows.weights[r];
                 }
+                const size_t mean = size_t(sum / total);
+                *out++ = linear ? tables.fromLinear[mean] : uint8_t(mean);
             }
         }
     }

@@ -3,6 +3,7 @@
 #include "renderer/frame/mip_chain.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rushlight {
 
@@ -38,6 +39,7 @@ void TextureStore::destroy(ImageHandle handle) {
             device_.destroy(array.texture);
             array.texture = {};
         }
+        moved_ = true;
     }
     images_.erase(handle);
 }
@@ -48,7 +50,7 @@ const ImageLocation* TextureStore::find(ImageHandle handle) const {
 }
 
 Result<bool> TextureStore::flush() {
-    if (waiting_.empty()) return false;
+    if (waiting_.empty()) return std::exchange(moved_, false);
     std::erase_if(waiting_, [&](ImageHandle h) { return !images_.find(h); });
     jobs_.forRanges(uint32_t(waiting_.size()), 1, [&](uint32_t begin, uint32_t end) {
         for (uint32_t i = begin; i < end; ++i) {
@@ -76,6 +78,7 @@ Result<bool> TextureStore::flush() {
         begin = end;
     }
     waiting_.clear();
+    moved_ = false;
     return true;
 }
 

@@ -28,7 +28,7 @@ public:
     Result<ImageHandle> create(const ImageDesc&);
     void destroy(ImageHandle);
 
-    /// Uploads what waits. Returns true when any image got a place: materials must look theirs up again.
+    /// Uploads what waits. Returns true when any image got or lost its place: materials must look theirs up again.
     Result<bool> flush();
 
     /// Null for a stale handle; `array` is none before flush().
@@ -59,6 +59,7 @@ private:
     Pool<StoredImage, ImageTag> images_;
     std::vector<Array> arrays_;
     std::vector<ImageHandle> waiting_;
+    bool moved_ = false;  ///< since the last flush
 };
 
 }  // namespace rushlight

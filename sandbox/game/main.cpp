@@ -19,6 +19,9 @@ int main(int argc, char** argv) {
         return 3;
     }
     options->viewer.lighting = duskLighting();
+    // The square's own sky, unless another is asked for.
+    if (options->viewer.environment.empty())
+        options->viewer.environment = findProgramFile("content/square/dusk.hdr").string();
     if (!options->viewer.environment.empty())
         options->viewer.lighting.background = Background::environment;
     options->viewer.allocationCount = allocationCount;

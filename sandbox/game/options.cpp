@@ -10,6 +10,7 @@ namespace rushlight {
 namespace {
 
 constexpr uint32_t kMaxSide = 16384;  // pixels
+constexpr float kDuskExposure = 1.35f;  // shade is readable, the lamps keep their colour
 
 /// "1280x720"
 std::string readSize(const std::string& text, ViewerOptions& options) {
@@ -45,11 +46,11 @@ void addViewOptions(CLI::App& app, ViewerOptions& viewer) {
     app.add_option("--tonemap", viewer.settings.toneMap, "none, neutral, agx or aces")
         ->transform(CLI::CheckedTransformer(toneMaps))
         ->default_str("neutral");
-    app.add_option("--exposure-scale", viewer.settings.exposureScale, "linear factor on radiance")
+    app.add_option("--exposure-scale", viewer.settings.exposureScale, "linear factor on radiance (1.35)")
         ->check(CLI::PositiveNumber);
     app.add_option("--environment", viewer.environment,
-                   "panorama (.hdr, .exr) that lights the level and is its sky, such as "
-                   "content/square/dusk.hdr; default: an even evening sky")
+                   "panorama (.hdr, .exr) that lights the level and is its sky; default: "
+                   "content/square/dusk.hdr of the program")
         ->check(CLI::ExistingFile);
     app.add_option("--shaders", viewer.shaderDirectory,
                    "folder to read shaders from, and to watch for changes")
@@ -83,6 +84,7 @@ std::optional<SandboxOptions> parseOptions(int argc, char** argv, int& exitCode)
     options.viewer.program = "sandbox";
     options.viewer.title = "Rushlight: dusk in the square";
     options.viewer.cameraMode = CameraMode::walk;
+    options.viewer.settings.exposureScale = kDuskExposure;
     CLI::App app("Walk through a square at dusk and light its lamps. Tab shows all keys.",
                  "sandbox");
     app.add_option("--level", options.viewer.scene,

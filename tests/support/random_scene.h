@@ -8,7 +8,7 @@ namespace rushlight {
 
 class RandomScene {
 public:
-    /// Makes its resources in `renderer`, which outlives it.
+    /// Makes its resources in `renderer`, which outlives it. Seeds that end in 1 have an environment, which takes long.
     RandomScene(Renderer& renderer, uint64_t seed);
 
     /// Frame `index` along the camera's way; the spans stay good until the next call.
@@ -21,7 +21,7 @@ public:
     FrameSettings settings;
 
 private:
-    void makeMaterials(Renderer& renderer);
+    void makeMaterials(Renderer& renderer, uint64_t seed);
     void makeInstances();
     void makeLights();
 

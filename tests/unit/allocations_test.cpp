@@ -24,7 +24,7 @@ TEST(Allocations, WarmFramesMakeNone) {
 TEST(Allocations, WarmFramesOfEveryShownImageMakeNone) {
     for (uint32_t show = 0; show < uint32_t(ShownImage::count); ++show) {
         const auto renderer = nullRenderer();
-        RandomScene scene(*renderer, 1);
+        RandomScene scene(*renderer, 2);
         scene.settings.show = ShownImage(show);
         EXPECT_EQ(allocationsOfWarmFrames(*renderer, scene, {0, 320, 200}), 0u) << toText(ShownImage(show));
     }
@@ -32,7 +32,7 @@ TEST(Allocations, WarmFramesOfEveryShownImageMakeNone) {
 
 TEST(Allocations, WarmCapturesMakeNone) {
     const auto renderer = nullRenderer();
-    RandomScene scene(*renderer, 5);
+    RandomScene scene(*renderer, 1);
     EXPECT_EQ(allocationsOfWarmCaptures(*renderer, scene), 0u);
 }
 

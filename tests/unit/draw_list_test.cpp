@@ -1,0 +1,244 @@
+#include "renderer/frame/draw_list.h"
+
+#include "renderer/frame/surface_variant.h"
+#include "tests/support/memory_device.h"
+#include "tests/support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace rushlight {
+namespace {
+
+class DrawListTest : public testing::Test {
+protected:
+    MemoryDevice device;
+    SerialJobs jobs;
+    GeometryStore geometry{device};
+    TextureStore textures{device, jobs};
+    MaterialStore materials{device, textures};
+    MeshHandle cube = *geometry.create(makeCube().desc());
+    MeshHandle ball = *geometry.create(makeSphere(4, 6).desc());
+    MeshHandle sheet = *geometry.create(makeCube(1).desc());
+    std::vector<Instance> instances;
+    std::vector<mat4x3> previous;
+    std::vector<ResolvedInstance> resolved;
+    CommandBuffer buffer;
+    DrawList list;
+
+    MaterialHandle material(void (*change)(MaterialDesc&)) {
+        MaterialDesc desc;
+        change(desc);
+        return *materials.create(desc);
+    }
+    Instance& add(MeshHandle mesh, MaterialHandle m, float distance) {
+        Instance instance;
+        instance.mesh = mesh;
+        instance.material = m;
+        instance.worldFromLocal[3] = {0, 0, -distance};
+        instance.id = 100 + uint32_t(instances.size());
+        instances.push_back(instance);
+        return instances.back();
+    }
+    /// From the origin along -z, without culling unless asked for.
+    void build(DrawListKind kind, bool cull = false) {
+        ASSERT_TRUE(materials.flush(*textures.flush()));
+        resolveInstances(instances, previous.size(), geometry, materials, jobs, resolved);
+        const CameraMatrices camera = makeCamera({}, 1).value();
+        buffer.clear();
+        list.gather(kind, instances, resolved, camera.frustum, camera.position, camera.forward, cull);
+        list.allocate(buffer);
+        list.fill(buffer, instances, resolved, previous);
+    }
+    std::vector<uint32_t> order() const {
+        std::vector<uint32_t> seen;
+        list.forEachVisible([&](uint32_t i) { seen.push_back(i); });
+        return seen;
+    }
+    template <class T>
+    T data(const BufferRange& range, size_t index) {
+        T value;
+        std::memcpy(static_cast<void*>(&value), buffer.bytes(range).data() + index * sizeof(T), sizeof(T));
+        return value;
+    }
+};
+using Order = std::vector<uint32_t>;
+
+TEST_F(DrawListTest, OpaqueIsSortedByStateThenFrontToBack) {
+    const MaterialHandle plain = material([](MaterialDesc&) {});
+    const MaterialHandle masked = material([](MaterialDesc& d) { d.alphaMode = AlphaMode::mask; });
+    for (float distance : {8.0f, 2.0f, 32.0f}) {
+        add(cube, masked, distance);
+        add(cube, plain, distance);
+    }
+    build(DrawListKind::opaque);
+    EXPECT_EQ(order(), (Order{3, 1, 5, 2, 0, 4})) << "plain before masked, each near to far";
+    ASSERT_EQ(list.batches.size(), 2u);
+    EXPECT_FALSE(list.batches[0].surfaceFlags & kAlphaMask);
+    EXPECT_TRUE(list.batches[1].surfaceFlags & kAlphaMask);
+}
+
+TEST_F(DrawListTest, BlendedIsBackToFrontWhateverTheState) {
+    const MaterialHandle a = material([](MaterialDesc& d) { d.alphaMode = AlphaMode::blend; });
+    const MaterialHandle b = material([](MaterialDesc& d) {
+        d.alphaMode = AlphaMode::blend;
+        d.doubleSided = true;
+    });
+    add(cube, a, 3), add(ball, b, 9), add(cube, b, 5), add(ball, a, 7), add(cube, {}, 6);
+    build(DrawListKind::blend);
+    EXPECT_EQ(order(), (Order{1, 3, 2, 0}));
+    EXPECT_EQ(list.batches.size(), 4u);
+    build(DrawListKind::opaque);
+    EXPECT_EQ(order(), (Order{4}));
+}
+
+TEST_F(DrawListTest, TiesKeepTheCallersOrder) {
+    const MaterialHandle glass = material([](MaterialDesc& d) { d.alphaMode = AlphaMode::blend; });
+    for (int i = 0; i < 50; ++i) add(cube, glass, 4);
+    build(DrawListKind::blend);
+    for (uint32_t i = 0; i < 50; ++i) EXPECT_EQ(order()[i], i);
+}
+
+TEST_F(DrawListTest, EqualMeshesMergeIntoOneInstancedDraw) {
+    for (int i = 0; i < 5; ++i) add(cube, {}, 4.0f + 0.001f * float(i));
+    for (int i = 0; i < 3; ++i) add(ball, {}, 4.0f);
+    build(DrawListKind::opaque);
+    ASSERT_EQ(list.batches.size(), 1u);
+    EXPECT_EQ(list.batches[0].drawCount, 2u);
+    const auto first = data<DrawIndexedCommand>(list.commandRange, 0);
+    const auto second = data<DrawIndexedCommand>(list.commandRange, 1);
+    const GpuMesh& c = *geometry.find(cube);
+    const GpuMesh& b = *geometry.find(ball);
+    EXPECT_EQ(first.instanceCount, 5u);
+    EXPECT_EQ(first.indexCount, c.indexCount);
+    EXPECT_EQ(first.baseVertex, int32_t(c.firstVertex));
+    EXPECT_EQ(first.baseInstance, 0u);
+    EXPECT_EQ(second.instanceCount, 3u);
+    EXPECT_EQ(second.firstIndex, b.firstIndex);
+    EXPECT_EQ(second.baseInstance, 5u);
+    EXPECT_EQ(list.batches[0].triangleCount, (5 * c.indexCount + 3 * b.indexCount) / 3);
+    for (uint32_t i = 0; i < 5; ++i) EXPECT_EQ(data<InstanceData>(list.instanceRange, i).id, 100 + i);
+}
+
+TEST_F(DrawListTest, InstanceDataHoldsTheTransformByRows) {
+    Instance& instance = add(cube, {}, 0);
+    instance.worldFromLocal = {1, 2, 3, 4, 5, 6, 7, 8, 10, 11, 12, 13};
+    build(DrawListKind::opaque);
+    const auto d = data<InstanceData>(list.instanceRange, 0);
+    EXPECT_EQ(d.row0, vec4(1, 4, 7, 11));
+    EXPECT_EQ(d.row1, vec4(2, 5, 8, 12));
+    EXPECT_EQ(d.row2, vec4(3, 6, 10, 13));
+}
+
+TEST_F(DrawListTest, MovingInstancesCarryWhereTheyWere) {
+    add(cube, {}, 3);
+    Instance& moving = add(cube, {}, 4);
+    moving.flags |= kInstanceMoving;
+    moving.previousTransform = 1;
+    previous = {mat4x3(1.0f), mat4x3(2.0f)};
+    build(DrawListKind::opaque);
+    ASSERT_EQ(list.batches.size(), 2u);
+    EXPECT_FALSE(list.batches[0].moving);
+    EXPECT_TRUE(list.batches[1].moving);
+    EXPECT_EQ(data<DrawIndexedCommand>(list.commandRange, 1).baseInstance, 0u) << "a stream of its own";
+    const auto d = data<MovingInstanceData>(list.movingRange, 0);
+    EXPECT_EQ(d.now.id, 101u);
+    EXPECT_EQ(d.previousRow1, vec4(0, 2, 0, 0));
+}
+
+TEST_F(DrawListTest, MirroredAndDoubleSidedAreToldApart) {
+    const MaterialHandle doubleSided = material([](MaterialDesc& d) { d.doubleSided = true; });
+    add(cube, {}, 3);
+    add(cube, {}, 3).worldFromLocal[0] = {-1, 0, 0};
+    add(cube, doubleSided, 3);
+    build(DrawListKind::opaque);
+    const uint32_t mask = kMirrored | kDoubleSided;
+    EXPECT_EQ(resolved[0].surfaceFlags & mask, 0u);
+    EXPECT_EQ(resolved[1].surfaceFlags & mask, uint32_t(kMirrored));
+    EXPECT_EQ(resolved[2].surfaceFlags & mask, uint32_t(kDoubleSided));
+    EXPECT_EQ(list.batches.size(), 3u);
+}
+
+// A closed mesh needs no back faces in a shadow map; an open one does. Materials count where alpha cuts alone.
+TEST_F(DrawListTest, ShadowCastersForgetTheirMaterials) {
+    const MaterialHandle red = material([](MaterialDesc& d) { d.emissive = {1, 0, 0}; });
+    const MaterialHandle glass = material([](MaterialDesc& d) { d.alphaMode = AlphaMode::blend; });
+    const MaterialHandle leaf = material([](MaterialDesc& d) { d.alphaMode = AlphaMode::mask; });
+    add(cube, {}, 3), add(cube, red, 4), add(sheet, {}, 3), add(cube, glass, 3), add(cube, leaf, 3);
+    add(cube, {}, 5).flags = 0;
+    build(DrawListKind::shadow);
+    EXPECT_EQ(list.visibleCount(), 4u);
+    ASSERT_EQ(list.batches.size(), 3u);
+    EXPECT_EQ(list.batches[0].surfaceFlags, 0u);
+    EXPECT_EQ(data<DrawIndexedCommand>(list.commandRange, 0).instanceCount, 2u);
+    EXPECT_EQ(list.batches[1].surfaceFlags | list.batches[2].surfaceFlags,
+              uint32_t(kDoubleSided | kAlphaMask));
+}
+
+TEST_F(DrawListTest, OnlyMovingEmittersAreInTheirList) {
+    const MaterialHandle lamp = material([](MaterialDesc& d) { d.emissive = {1, 1, 1}; });
+    previous = {mat4x3(1.0f)};
+    add(cube, lamp, 3);
+    add(cube, lamp, 3).flags |= kInstanceMoving;
+    add(cube, {}, 3).flags |= kInstanceMoving;
+    build(DrawListKind::movingEmission);
+    EXPECT_EQ(order(), (Order{1}));
+}
+
+TEST_F(DrawListTest, WhatIsOutOfSightIsCulled) {
+    add(cube, {}, 5), add(cube, {}, -5);
+    add(cube, {}, 5).worldFromLocal[3].x = 50;
+    build(DrawListKind::opaque, true);
+    EXPECT_EQ(order(), (Order{0}));
+    build(DrawListKind::opaque, false);
+    EXPECT_EQ(list.visibleCount(), 3u);
+}
+
+TEST_F(DrawListTest, BadInstancesAreLeftOut) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const MeshHandle stale = *geometry.create(makeCube().desc());
+    geometry.destroy(stale);
+    const MaterialHandle gone = material([](MaterialDesc&) {});
+    materials.destroy(gone);
+    add(cube, {}, 3).worldFromLocal[1].y = nan;
+    add(cube, {}, 3).worldFromLocal[3].x = std::numeric_limits<float>::infinity();
+    add(stale, {}, 3), add({}, {}, 3), add(cube, gone, 3);
+    add(cube, {}, 3).flags |= kInstanceMoving;  // there is no previous transform
+    add(cube, {}, 3);
+    build(DrawListKind::opaque);
+    EXPECT_EQ(order(), (Order{6}));
+    for (size_t i = 0; i < 6; ++i) EXPECT_EQ(resolved[i].mesh, nullptr) << i;
+}
+
+TEST_F(DrawListTest, TheHashTellsWhatTheListHolds) {
+    add(cube, {}, 3), add(ball, {}, 4);
+    build(DrawListKind::shadow);
+    const uint64_t before = list.contentHash(buffer);
+    build(DrawListKind::shadow);
+    EXPECT_EQ(list.contentHash(buffer), before);
+    instances[1].worldFromLocal[3].y += 0.001f;
+    build(DrawListKind::shadow);
+    const uint64_t moved = list.contentHash(buffer);
+    EXPECT_NE(moved, before);
+    instances[1].mesh = cube;
+    build(DrawListKind::shadow);
+    EXPECT_NE(list.contentHash(buffer), moved);
+}
+
+TEST_F(DrawListTest, AMovingCasterChangesTheHash) {
+    previous = {mat4x3(1.0f)};
+    const MaterialHandle leaf = material([](MaterialDesc& d) { d.alphaMode = AlphaMode::mask; });
+    for (MaterialHandle m : {MaterialHandle{}, leaf}) {
+        instances.clear();
+        add(cube, m, 3).flags |= kInstanceMoving;
+        build(DrawListKind::shadow);
+        const uint64_t before = list.contentHash(buffer);
+        instances[0].worldFromLocal[3].x += 0.01f;
+        build(DrawListKind::shadow);
+        EXPECT_NE(list.contentHash(buffer), before);
+    }
+}
+
+}  // namespace
+}  // namespace rushlight
