@@ -11,6 +11,8 @@ struct ViewArguments {
     RenderOptions render;
     bool verticalSync = true;
     bool walk = false;
+    uint32_t frames = 0;
+    std::string screenshot;
 };
 
 ViewerOptions viewerOptions(const ViewArguments& arguments) {
@@ -37,6 +39,8 @@ ViewerOptions viewerOptions(const ViewArguments& arguments) {
     options.lighting.backgroundColor = render.backgroundColor;
     options.settings = settingsFrom(render);
     options.pinRasterThreads = true;
+    options.frames = arguments.frames;
+    options.screenshot = arguments.screenshot;
     return options;
 }
 
@@ -47,6 +51,11 @@ void addView(CLI::App& app, Action& action) {
     CLI::App* command =
         app.add_subcommand("view", "A window to fly through a scene; Tab shows how");
     addRenderOptions(*command, arguments->render);
+    // What only makes sense for pictures without a player is not taken, rather than ignored.
+    for (const char* name : {"--time", "--animation", "--context", "--threads", "--warmup", "--strict", "--stats"})
+        command->remove_option(command->get_option(name));
+    command->add_option("--frames", arguments->frames, "End after so many frames; 0: run until closed");
+    command->add_option("--screenshot", arguments->screenshot, "Write the last frame's picture and end");
     command->add_flag("--walk", arguments->walk, "Begin walking instead of flying");
     command->add_flag("!--no-vsync", arguments->verticalSync, "Do not wait for the display");
     command->callback([&action, arguments] {

@@ -1,7 +1,7 @@
 # The sandbox in a window of a virtual display.
 find_program(XVFB_RUN xvfb-run)
 if(XVFB_RUN)
-  foreach(what picture broken_shader broken_level)
+  foreach(what picture view broken_shader broken_level)
     add_test(NAME window_gl.${what}
       COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/window_test.sh ${what} $<TARGET_FILE:sandbox>
         ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/window_${what})

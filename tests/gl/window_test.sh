@@ -46,6 +46,11 @@ picture)
         fail "exit code $?"
     "$(dirname "$sandbox")/picture_varies" frame.png 0.02 || fail "the picture is uniform"
     ;;
+view)
+    $display "$screen" "$(dirname "$sandbox")/rushlight" view "$source/content/testcard/testcard.gltf" \
+        --size 320x180 --frames 3 --screenshot frame.png > "$log" 2>&1 || fail "exit code $?"
+    "$(dirname "$sandbox")/picture_varies" frame.png 0.02 || fail "the picture is uniform"
+    ;;
 broken_shader)
     cp -r "$source/shaders" shaders
     start --shaders "$work/shaders"
