@@ -26,20 +26,6 @@ SamplerHandle clampingSampler(Device& device, bool mipmaps, bool compare) {
     return device.createSampler(desc);
 }
 
-// What falls off the end waits in `spare`, so that frames with now more, now fewer passes make no allocations.
-void resizeKeepingMemory(std::vector<PassReport>& reports, std::vector<PassReport>& spare,
-                         size_t count) {
-    while (reports.size() > count) {
-        spare.push_back(std::move(reports.back()));
-        reports.pop_back();
-    }
-    while (reports.size() < count) {
-        if (spare.empty()) spare.emplace_back();
-        reports.push_back(std::move(spare.back()));
-        spare.pop_back();
-    }
-}
-
 }  // namespace
 
 FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
@@ -317,117 +303,6 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
     }
     return overlayPass_.add(
         plan_, {&input.overlay, textures.find(input.overlay.image), target, &commands_});
-}
-
-Result<void> FrameRenderer::planDisplay(const FrameInput& input, const FinalTarget& target,
-                                        ImageId radiance) {
-    const FrameSettings& settings = input.settings;
-    const bool transparent = input.lighting.background == Background::transparent;
-    const bool fxaa = settings.antiAliasing == AntiAliasing::fxaa &&
-                      settings.show != ShownImage::tonemap;
-    TonemapPass::Inputs tonemap;
-    tonemap.radiance = radiance;
-    tonemap.settings = &settings;
-    tonemap.transparent = transparent;
-    tonemap.lumaInAlpha = fxaa && !transparent;
-    tonemap.target = target;
-    tonemap.data = &commands_;
-    if (settings.bloom || settings.autoExposure || settings.show == ShownImage::bloom) {
-        const auto bloom =
-            bloomPass_.add(plan_, {radiance, &commands_, target.width, target.height});
-        if (!bloom) return tl::unexpected(bloom.error());
-        if (settings.show == ShownImage::bloom) tonemap.radiance = bloom->bloom;
-        else if (settings.bloom) tonemap.bloom = bloom->bloom;
-        if (settings.autoExposure) {
-            const auto exposure =
-                exposurePass_.add(plan_, {bloom->smallest, bloom->smallestWidth,
-                                          bloom->smallestHeight, &commands_, settings.deltaTime});
-            if (!exposure) return tl::unexpected(exposure.error());
-            tonemap.exposure = exposure->exposure;
-        }
-    }
-    if (!fxaa) return tonemapPass_.add(plan_, tonemap);
-    tonemap.target = {plan_.createImage({"display", Format::rgba8, target.width, target.height}),
-                      target.width, target.height, false};
-    if (auto ok = tonemapPass_.add(plan_, tonemap); !ok) return ok;
-    return fxaaPass_.add(plan_,
-                         {tonemap.target.image, tonemap.lumaInAlpha, target, &commands_});
-}
-
-Result<void> FrameRenderer::planDebugView(const FrameInput& input, const FinalTarget& target,
-                                          const CameraMatrices& camera,
-                                          const GBufferPass::Outputs& gbuffer,
-                                          const LightingBindings& lighting) {
-    DebugViewPass::Inputs in;
-    in.show = input.settings.show;
-    in.gbuffer = gbuffer;
-    in.shadowMap = lighting.shadowMap;
-    in.shadowCascades = cascades_.count;
-    in.clusters = lighting.clusters;
-    in.clusterMapping = {clusters_.sliceScale, clusters_.sliceBias, float(clusters_.tilesX),
-                         float(clusters_.tilesX * clusters_.tilesY)};
-    in.clusterCounts = {float(clusters_.tilesX), float(clusters_.tilesY),
-                        float(LightClusters::kSlices), 0};
-    in.depthDecode = camera.depthDecode;
-    in.orthographic = !camera.perspective;
-    in.nearestDepth = std::max(camera.nearPlane, 0.01f);  // an orthographic one may be behind the eye
-    const Aabb bounds = sceneBounds();
-    if (!bounds.isEmpty())
-        in.farthestDepth =
-            std::max(glm::dot(bounds.center() - camera.position, camera.forward) +
-                         glm::dot(glm::abs(camera.forward), bounds.halfExtent()),
-                     camera.nearPlane * 2);
-    in.target = target;
-    in.data = &commands_;
-    return debugViewPass_.add(plan_, in);
-}
-
-void FrameRenderer::fillReport(const FrameInput& input) {
-    FrameReport& r = report_;
-    r.frameNumber = frameNumber_;
-    r.instances = uint32_t(input.instances.size());
-    r.visible = opaque_.visibleCount() + blended_.visibleCount();
-    r.rejected = 0;
-    for (const ResolvedInstance& resolved : resolved_) r.rejected += !resolved.mesh;
-    r.culledFrustum = r.instances - r.rejected - r.visible;
-    r.lights = uint32_t(input.lighting.directional.size() + input.lighting.punctual.size());
-    r.lightsVisible = uint32_t(input.lighting.directional.size()) + clusters_.visibleLights;
-    r.shadowViewsDrawn = shadows_.drawn;
-    r.shadowViewsCached = shadows_.cached;
-    r.cpuExecuteMs = execution_.cpuMs;
-    r.glCalls = execution_.glCalls;
-    r.stateChanges = execution_.stateChanges;
-    r.uploadedBytes = execution_.uploadedBytes;
-    r.waits = execution_.waits;
-    r.draws = 0;
-    r.triangles = 0;
-    r.gpuMs = 0;
-    resizeKeepingMemory(r.passes, sparePassReports_, plan_.keptPassCount());
-    for (uint32_t i = 0; i < plan_.keptPassCount(); ++i) {
-        PassReport& pass = r.passes[i];
-        const PassExecution& done = execution_.passes[i];
-        pass.name = plan_.passName(i);
-        pass.draws = done.draws;
-        pass.triangles = done.triangles;
-        pass.cpuMs = done.cpuMs;
-        pass.gpuMs = done.gpuMs;
-        pass.hashes.assign(done.attachmentHashes.begin(), done.attachmentHashes.end());
-        pass.bytesPerPixel = plan_.passBytesPerPixel(i);
-        pass.reads.clear();
-        pass.writes.clear();
-        plan_.forEachRead(i, [&](const char* name) { pass.reads.push_back(name); });
-        plan_.forEachWrite(i, [&](const char* name) { pass.writes.push_back(name); });
-        r.draws += done.draws;
-        r.triangles += done.triangles;
-        r.gpuMs += done.gpuMs;
-    }
-    if (r.rejected > 0 && !warnedRejected_) {
-        warnedRejected_ = true;
-        log_(LogLevel::warning,
-             std::to_string(r.rejected) +
-                 " instances are left out: their mesh or material handle is stale, their "
-                 "previous transform is missing, or their transform is not finite.");
-    }
 }
 
 }  // namespace rushlight

@@ -77,11 +77,11 @@ nlohmann::ordered_json wallJson(const std::vector<Sample>& samples) {
             {"wall_max_ms", wall.back()}};
 }
 
-void printSummary(const Session& session, const Sample& sample, const std::vector<Sample>& all) {
+void printSummary(const RenderSetup& setup, const Sample& sample, const std::vector<Sample>& all) {
     const FrameReport& r = sample.report;
     const auto wall = wallJson(all);
-    std::printf("context %s, %u threads, %zu frames\n", toText(session.contextKind()),
-                session.threads(), all.size());
+    std::printf("context %s, %u threads, %zu frames\n", toText(setup.contextKind()),
+                setup.threads(), all.size());
     std::printf("frame   median %.2f ms, lowest %.2f, highest %.2f\n", sample.times.wallMs,
                 wall["wall_min_ms"].get<double>(), wall["wall_max_ms"].get<double>());
     std::printf("build   %.3f ms, execute %.3f ms, gpu %.2f ms\n", r.cpuBuildMs, r.cpuExecuteMs,
@@ -95,25 +95,25 @@ void printSummary(const Session& session, const Sample& sample, const std::vecto
                     static_cast<unsigned long long>(pass.triangles));
 }
 
-Result<Sample> measure(Session& session, const BenchArguments& arguments) {
-    FrameInput input = session.frame();
+Result<Sample> measure(RenderSetup& setup, const BenchArguments& arguments) {
+    FrameInput input = setup.frame();
     if (arguments.redrawShadows) input.settings.shadowCaching = false;
     Sample sample;
     const auto image =
-        renderFrame(session, input, arguments.render.size, CaptureKind::display, {}, sample.times);
+        renderFrame(setup, input, arguments.render.size, CaptureKind::display, {}, sample.times);
     if (!image) return tl::unexpected(image.error());
-    sample.report = session.renderer().report();
+    sample.report = setup.renderer().report();
     return sample;
 }
 
 Result<int> bench(const BenchArguments& arguments) {
-    auto session = Session::open(arguments.render, true);
-    if (!session) return tl::unexpected(session.error());
+    auto setup = RenderSetup::open(arguments.render, true);
+    if (!setup) return tl::unexpected(setup.error());
     const uint32_t warmup = std::max(arguments.render.warmup, 1u);
     double firstFrameMs = 0;
     std::vector<Sample> samples;
     for (uint32_t i = 0; i < warmup + arguments.frames; ++i) {
-        auto sample = measure(**session, arguments);
+        auto sample = measure(**setup, arguments);
         if (!sample) return tl::unexpected(sample.error());
         if (i == 0) firstFrameMs = sample->times.wallMs;
         if (i >= warmup) samples.push_back(std::move(*sample));
@@ -122,9 +122,9 @@ Result<int> bench(const BenchArguments& arguments) {
                          i + 1 == warmup + arguments.frames ? "\n" : "");
     }
     const Sample result = medians(samples);
-    printSummary(**session, result, samples);
+    printSummary(**setup, result, samples);
     auto json =
-        statsJson(**session, arguments.render.size, firstFrameMs, result.report, result.times);
+        statsJson(**setup, arguments.render.size, firstFrameMs, result.report, result.times);
     json["bench"] = wallJson(samples);
     for (const std::string& path : {arguments.json, arguments.render.stats})
         if (!path.empty())

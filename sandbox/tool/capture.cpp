@@ -47,8 +47,8 @@ void printHashes(const FrameReport& report) {
 
 class Capture {
 public:
-    Capture(const CaptureArguments& arguments, Session& session)
-        : arguments_(arguments), session_(session) {}
+    Capture(const CaptureArguments& arguments, RenderSetup& setup)
+        : arguments_(arguments), setup_(setup) {}
 
     Result<void> warmUp();
     Result<void> sequence();
@@ -63,13 +63,13 @@ private:
     void showProgress(uint32_t done, uint32_t count) const;
 
     const CaptureArguments& arguments_;
-    Session& session_;
+    RenderSetup& setup_;
     FrameTimes times_;
     double firstFrameMs_ = -1;
 };
 
 FrameInput Capture::input() const {
-    FrameInput input = session_.frame();
+    FrameInput input = setup_.frame();
     input.settings.deltaTime = 1 / arguments_.framesPerSecond;
     if (const auto shown = findShownImage(arguments_.pass)) input.settings.show = *shown;
     return input;
@@ -78,7 +78,7 @@ FrameInput Capture::input() const {
 Result<CapturedImage> Capture::render(const FrameInput& frame, CaptureKind kind, bool hashes) {
     FrameOptions options;
     options.hashPasses = hashes;
-    auto image = renderFrame(session_, frame, arguments_.render.size, kind, options, times_);
+    auto image = renderFrame(setup_, frame, arguments_.render.size, kind, options, times_);
     if (firstFrameMs_ < 0) firstFrameMs_ = times_.wallMs;
     return image;
 }
@@ -96,7 +96,7 @@ Result<void> Capture::write(const FrameInput& frame, const std::string& path) {
     const CaptureKind kind = *format == ImageFormat::exr ? CaptureKind::hdr : CaptureKind::display;
     const auto image = render(frame, kind, arguments_.hashes);
     if (!image) return tl::unexpected(image.error());
-    if (arguments_.hashes) printHashes(session_.renderer().report());
+    if (arguments_.hashes) printHashes(setup_.renderer().report());
     return saveImage(path, PictureView(*image));
 }
 
@@ -122,11 +122,11 @@ Result<void> Capture::sequence() {
     };
     // Where things were one frame before: the same in the first frame of a shard as in one long
     // sequence.
-    if (auto posed = session_.setTime(secondsOf(double(begin) - 1)); !posed) return posed;
+    if (auto posed = setup_.setTime(secondsOf(double(begin) - 1)); !posed) return posed;
     for (uint64_t frame = begin; frame < end; ++frame) {
         const auto path = frameFileName(arguments_.output, uint32_t(frame));
         if (!path) return tl::unexpected(path.error());
-        if (auto posed = session_.setTime(secondsOf(double(frame))); !posed) return posed;
+        if (auto posed = setup_.setTime(secondsOf(double(frame))); !posed) return posed;
         if (auto written = write(input(), *path); !written) return written;
         showProgress(uint32_t(frame - begin + 1), uint32_t(end - begin));
     }
@@ -141,8 +141,8 @@ void Capture::showProgress(uint32_t done, uint32_t count) const {
 Result<void> Capture::writeStats() const {
     if (arguments_.render.stats.empty()) return {};
     return writeJson(arguments_.render.stats,
-                     statsJson(session_, arguments_.render.size, firstFrameMs_,
-                               session_.renderer().report(), times_));
+                     statsJson(setup_, arguments_.render.size, firstFrameMs_,
+                               setup_.renderer().report(), times_));
 }
 
 /// What can be known to be wrong before anything is loaded.
@@ -157,9 +157,9 @@ Result<void> checkOutput(const CaptureArguments& arguments) {
 
 Result<int> capture(const CaptureArguments& arguments) {
     if (auto checked = checkOutput(arguments); !checked) return tl::unexpected(checked.error());
-    auto session = Session::open(arguments.render, false);
-    if (!session) return tl::unexpected(session.error());
-    Capture capturing(arguments, **session);
+    auto setup = RenderSetup::open(arguments.render, false);
+    if (!setup) return tl::unexpected(setup.error());
+    Capture capturing(arguments, **setup);
     Result<void> step = capturing.warmUp();
     if (step && arguments.pass == "all")
         step = capturing.allPasses();

@@ -7,10 +7,10 @@
 
 namespace rushlight::tool {
 
-Result<CapturedImage> renderFrame(Session& session, const FrameInput& input, uvec2 size,
+Result<CapturedImage> renderFrame(RenderSetup& setup, const FrameInput& input, uvec2 size,
                                   CaptureKind kind, const FrameOptions& options,
                                   FrameTimes& times) {
-    Renderer& renderer = session.renderer();
+    Renderer& renderer = setup.renderer();
     const uint64_t allocations = allocationCount();
     const auto start = std::chrono::steady_clock::now();
     const auto ticket = renderer.renderOffscreen(input, size.x, size.y, kind, options);

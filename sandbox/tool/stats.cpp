@@ -55,16 +55,16 @@ ordered_json passesJson(const FrameReport& report) {
 
 }  // namespace
 
-ordered_json statsJson(Session& session, uvec2 size, double firstFrameMs, const FrameReport& report,
+ordered_json statsJson(RenderSetup& setup, uvec2 size, double firstFrameMs, const FrameReport& report,
                        const FrameTimes& times) {
-    const assets::Fidelity& fidelity = session.fidelity();
+    const assets::Fidelity& fidelity = setup.fidelity();
     return {{"version", 1},
-            {"context", toText(session.contextKind())},
-            {"gl_renderer", std::string(session.renderer().deviceName())},
-            {"gl_version", std::string(session.renderer().deviceVersion())},
+            {"context", toText(setup.contextKind())},
+            {"gl_renderer", std::string(setup.renderer().deviceName())},
+            {"gl_version", std::string(setup.renderer().deviceVersion())},
             {"size", {size.x, size.y}},
-            {"threads", session.threads()},
-            {"load_ms", session.loadMs()},
+            {"threads", setup.threads()},
+            {"load_ms", setup.loadMs()},
             {"first_frame_ms", firstFrameMs},
             {"peak_rss_mb", peakMemoryMb()},
             {"frame", frameJson(report, times)},

@@ -3,7 +3,7 @@
 // renamed.
 
 #include "renderer/frame/frame_report.h"
-#include "sandbox/tool/session.h"
+#include "sandbox/tool/render_setup.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -15,7 +15,7 @@ struct FrameTimes {
     uint64_t allocations = 0;
 };
 
-nlohmann::ordered_json statsJson(Session& session, uvec2 size, double firstFrameMs,
+nlohmann::ordered_json statsJson(RenderSetup& setup, uvec2 size, double firstFrameMs,
                                  const FrameReport& report, const FrameTimes& times);
 
 Result<void> writeJson(const std::string& path, const nlohmann::ordered_json& json);

@@ -10,11 +10,11 @@
 
 namespace rushlight::tool {
 
-class Session {
+class RenderSetup {
 public:
-    static Result<std::unique_ptr<Session>> open(const RenderOptions& options,
+    static Result<std::unique_ptr<RenderSetup>> open(const RenderOptions& options,
                                                  bool pinRasterThreads);
-    ~Session();
+    ~RenderSetup();
 
     /// Moves the animation that --animation names; without one nothing moves.
     Result<void> setTime(float seconds);
@@ -29,7 +29,7 @@ public:
     const assets::Fidelity& fidelity() const { return model_.fidelity; }
 
 private:
-    explicit Session(const RenderOptions& options) : options_(options) {}
+    explicit RenderSetup(const RenderOptions& options) : options_(options) {}
     Result<void> loadScene();
     Result<void> startRenderer(bool pinRasterThreads);
     Result<void> loadEnvironment();

@@ -1,4 +1,4 @@
-#include "sandbox/tool/session.h"
+#include "sandbox/tool/render_setup.h"
 
 #include "engine/assets/gltf.h"
 #include "engine/jobs/tbb_jobs.h"
@@ -31,28 +31,28 @@ void logToStandardError(void*, LogLevel level, std::string_view message) {
 
 }  // namespace
 
-Result<std::unique_ptr<Session>> Session::open(const RenderOptions& options,
+Result<std::unique_ptr<RenderSetup>> RenderSetup::open(const RenderOptions& options,
                                                bool pinRasterThreads) {
     const auto start = std::chrono::steady_clock::now();
-    std::unique_ptr<Session> session(new Session(options));
-    session->jobs_ = createTbbJobs(options.threads);
-    Result<void> step = session->loadScene();
-    if (step) step = session->startRenderer(pinRasterThreads);
-    if (step) step = session->loadEnvironment();
-    if (step) step = session->chooseCamera();
+    std::unique_ptr<RenderSetup> setup(new RenderSetup(options));
+    setup->jobs_ = createTbbJobs(options.threads);
+    Result<void> step = setup->loadScene();
+    if (step) step = setup->startRenderer(pinRasterThreads);
+    if (step) step = setup->loadEnvironment();
+    if (step) step = setup->chooseCamera();
     if (!step) return tl::unexpected(step.error());
-    session->chooseLights();
+    setup->chooseLights();
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
-    session->loadMs_ = elapsed.count();
-    return session;
+    setup->loadMs_ = elapsed.count();
+    return setup;
 }
 
-Session::~Session() {
+RenderSetup::~RenderSetup() {
     if (renderer_ && environment_) renderer_->destroy(environment_);
 }
 
-Result<void> Session::loadScene() {
+Result<void> RenderSetup::loadScene() {
     assets::LoadOptions load;
     load.jobs = jobs_.get();
     load.strict = options_.strict;
@@ -68,7 +68,7 @@ Result<void> Session::loadScene() {
     return {};
 }
 
-Result<void> Session::startRenderer(bool pinRasterThreads) {
+Result<void> RenderSetup::startRenderer(bool pinRasterThreads) {
     auto context = createOffscreenContext(options_.context, {.pinRasterThreads = pinRasterThreads});
     if (!context) return tl::unexpected(context.error());
     context_ = std::move(*context);
@@ -88,7 +88,7 @@ Result<void> Session::startRenderer(bool pinRasterThreads) {
     return setTime(options_.time);
 }
 
-Result<void> Session::loadEnvironment() {
+Result<void> RenderSetup::loadEnvironment() {
     if (options_.environment.empty()) {
         if (options_.background != Background::environment) return {};
         return fail("--background environment",
@@ -114,7 +114,7 @@ Result<void> Session::loadEnvironment() {
 }
 
 /// The whole scene in the picture, seen from the front and a little from above.
-View Session::viewThatFrames(const Aabb& bounds) const {
+View RenderSetup::viewThatFrames(const Aabb& bounds) const {
     const vec3 center = bounds.isEmpty() ? vec3(0) : bounds.center();
     const float radius =
         bounds.isEmpty() ? 1.0f : std::max(glm::length(bounds.halfExtent()), 1e-4f);
@@ -129,7 +129,7 @@ View Session::viewThatFrames(const Aabb& bounds) const {
     return view;
 }
 
-Result<void> Session::chooseCamera() {
+Result<void> RenderSetup::chooseCamera() {
     if (!options_.camera.empty()) {
         const auto found =
             findNamed(options_.scene, "camera", options_.camera, namesOf(model_.cameras));
@@ -158,7 +158,7 @@ Result<void> Session::chooseCamera() {
     return {};
 }
 
-void Session::chooseLights() {
+void RenderSetup::chooseLights() {
     if (bridge_->hasLights() || environment_ || options_.ambient) return;
     defaultLights_ = true;
     const mat4 worldFromView = glm::inverse(frame().view.viewFromWorld);
@@ -169,9 +169,9 @@ void Session::chooseLights() {
         "camera and ambient light are used.");
 }
 
-Result<void> Session::setTime(float seconds) { return bridge_->pose(animation_, seconds); }
+Result<void> RenderSetup::setTime(float seconds) { return bridge_->pose(animation_, seconds); }
 
-FrameInput Session::frame() const {
+FrameInput RenderSetup::frame() const {
     FrameInput input;
     bridge_->fill(input);
     input.view = camera_ >= 0 ? *bridge_->cameraView(camera_) : view_;

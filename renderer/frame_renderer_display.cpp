@@ -1,0 +1,72 @@
+// The end of a frame: from linear radiance, or from an image that somebody wants to look into, to the final target.
+
+#include "renderer/frame_renderer.h"
+
+#include <algorithm>
+
+namespace rushlight {
+
+Result<void> FrameRenderer::planDisplay(const FrameInput& input, const FinalTarget& target,
+                                        ImageId radiance) {
+    const FrameSettings& settings = input.settings;
+    const bool transparent = input.lighting.background == Background::transparent;
+    const bool fxaa = settings.antiAliasing == AntiAliasing::fxaa &&
+                      settings.show != ShownImage::tonemap;
+    TonemapPass::Inputs tonemap;
+    tonemap.radiance = radiance;
+    tonemap.settings = &settings;
+    tonemap.transparent = transparent;
+    tonemap.lumaInAlpha = fxaa && !transparent;
+    tonemap.target = target;
+    tonemap.data = &commands_;
+    if (settings.bloom || settings.autoExposure || settings.show == ShownImage::bloom) {
+        const auto bloom =
+            bloomPass_.add(plan_, {radiance, &commands_, target.width, target.height});
+        if (!bloom) return tl::unexpected(bloom.error());
+        if (settings.show == ShownImage::bloom) tonemap.radiance = bloom->bloom;
+        else if (settings.bloom) tonemap.bloom = bloom->bloom;
+        if (settings.autoExposure) {
+            const auto exposure =
+                exposurePass_.add(plan_, {bloom->smallest, bloom->smallestWidth,
+                                          bloom->smallestHeight, &commands_, settings.deltaTime});
+            if (!exposure) return tl::unexpected(exposure.error());
+            tonemap.exposure = exposure->exposure;
+        }
+    }
+    if (!fxaa) return tonemapPass_.add(plan_, tonemap);
+    tonemap.target = {plan_.createImage({"display", Format::rgba8, target.width, target.height}),
+                      target.width, target.height, false};
+    if (auto ok = tonemapPass_.add(plan_, tonemap); !ok) return ok;
+    return fxaaPass_.add(plan_,
+                         {tonemap.target.image, tonemap.lumaInAlpha, target, &commands_});
+}
+
+Result<void> FrameRenderer::planDebugView(const FrameInput& input, const FinalTarget& target,
+                                          const CameraMatrices& camera,
+                                          const GBufferPass::Outputs& gbuffer,
+                                          const LightingBindings& lighting) {
+    DebugViewPass::Inputs in;
+    in.show = input.settings.show;
+    in.gbuffer = gbuffer;
+    in.shadowMap = lighting.shadowMap;
+    in.shadowCascades = cascades_.count;
+    in.clusters = lighting.clusters;
+    in.clusterMapping = {clusters_.sliceScale, clusters_.sliceBias, float(clusters_.tilesX),
+                         float(clusters_.tilesX * clusters_.tilesY)};
+    in.clusterCounts = {float(clusters_.tilesX), float(clusters_.tilesY),
+                        float(LightClusters::kSlices), 0};
+    in.depthDecode = camera.depthDecode;
+    in.orthographic = !camera.perspective;
+    in.nearestDepth = std::max(camera.nearPlane, 0.01f);  // an orthographic one may be behind the eye
+    const Aabb bounds = sceneBounds();
+    if (!bounds.isEmpty())
+        in.farthestDepth =
+            std::max(glm::dot(bounds.center() - camera.position, camera.forward) +
+                         glm::dot(glm::abs(camera.forward), bounds.halfExtent()),
+                     camera.nearPlane * 2);
+    in.target = target;
+    in.data = &commands_;
+    return debugViewPass_.add(plan_, in);
+}
+
+}  // namespace rushlight
