@@ -15,6 +15,8 @@ namespace rushlight {
 uint64_t allocationCount() { return count.load(std::memory_order_relaxed); }
 }  // namespace rushlight
 
+// The address sanitizer brings its own operators, nothrow forms included, which must not be mixed with these.
+#if !defined(__SANITIZE_ADDRESS__)
 void* operator new(std::size_t size) {
     count.fetch_add(1, std::memory_order_relaxed);
     if (void* memory = std::malloc(size ? size : 1)) return memory;
@@ -22,3 +24,4 @@ void* operator new(std::size_t size) {
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#endif

@@ -11,7 +11,7 @@
 namespace {
 std::atomic<uint64_t> count{0};
 
-void* allocate(std::size_t size, std::size_t alignment) {
+[[maybe_unused]] void* allocate(std::size_t size, std::size_t alignment) {
     count.fetch_add(1, std::memory_order_relaxed);
     if (size == 0) size = 1;
     void* memory =
@@ -23,6 +23,8 @@ void* allocate(std::size_t size, std::size_t alignment) {
 }
 }  // namespace
 
+// The address sanitizer brings its own operators, nothrow forms included, which must not be mixed with these.
+#if !defined(__SANITIZE_ADDRESS__)
 void* operator new(std::size_t size) { return allocate(size, 1); }
 void* operator new[](std::size_t size) { return allocate(size, 1); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
@@ -39,6 +41,7 @@ void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory
 void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+#endif
 
 namespace rushlight::tool {
 
