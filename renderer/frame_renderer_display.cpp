@@ -51,10 +51,8 @@ Result<void> FrameRenderer::planDebugView(const FrameInput& input, const FinalTa
     in.shadowMap = lighting.shadowMap;
     in.shadowCascades = cascades_.count;
     in.clusters = lighting.clusters;
-    in.clusterMapping = {clusters_.sliceScale, clusters_.sliceBias, float(clusters_.tilesX),
-                         float(clusters_.tilesX * clusters_.tilesY)};
-    in.clusterCounts = {float(clusters_.tilesX), float(clusters_.tilesY),
-                        float(LightClusters::kSlices), 0};
+    in.clusterMapping = clusters_.mapping();
+    in.clusterCounts = clusters_.counts();
     in.depthDecode = camera.depthDecode;
     in.orthographic = !camera.perspective;
     in.nearestDepth = std::max(camera.nearPlane, 0.01f);  // an orthographic one may be behind the eye

@@ -32,6 +32,12 @@ struct LightClusters {
 
     uint32_t tilesX = 1, tilesY = 1;
     float sliceScale = 0, sliceBias = 0;  ///< slice = log2(viewDepth) * scale + bias
+    /// As LightingUniforms holds them.
+    vec4 mapping() const {
+        return {sliceScale, sliceBias, float(tilesX), float(tilesX * tilesY)};
+    }
+    vec4 counts() const { return {float(tilesX), float(tilesY), float(kSlices), 0}; }
+
     uint32_t visibleLights = 0;
     /// Lights left out of lists: 0 unless over 1,023 reach one froxel or the lists hold over 4,194,303 together.
     uint32_t droppedReferences = 0;

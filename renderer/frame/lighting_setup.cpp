@@ -70,10 +70,8 @@ interop::LightingUniforms makeLightingUniforms(const CameraMatrices& camera,
                                                const GpuEnvironment* environment) {
     interop::LightingUniforms u{};
     fillRays(camera, u);
-    u.clusterMapping = {clusters.sliceScale, clusters.sliceBias, float(clusters.tilesX),
-                        float(clusters.tilesX * clusters.tilesY)};
-    u.clusterCounts = {float(clusters.tilesX), float(clusters.tilesY),
-                       float(LightClusters::kSlices), 0};
+    u.clusterMapping = clusters.mapping();
+    u.clusterCounts = clusters.counts();
     if (cascades.count > 0) fillShadows(camera, cascades, u);
 
     const size_t count = lighting.directional.size();

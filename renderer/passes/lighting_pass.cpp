@@ -1,5 +1,6 @@
 #include "renderer/passes/lighting_pass.h"
 
+#include "renderer/passes/fullscreen.h"
 #include "shaders/interop/bindings.h"
 
 namespace rushlight {
@@ -67,13 +68,8 @@ void LightingBindings::record(PassContext& context) const {
     }
 }
 
-LightingPass::LightingPass(Device& device) : device_(device) {
-    SamplerDesc nearest;
-    nearest.wrapU = nearest.wrapV = TextureWrap::clampToEdge;
-    nearest.magnify = nearest.minify = TextureFilter::nearest;
-    nearest.useMipmaps = false;
-    nearest_ = device.createSampler(nearest);
-}
+LightingPass::LightingPass(Device& device)
+    : device_(device), nearest_(nearestClampSampler(device)) {}
 
 // Both are full-screen triangles at the far plane. Lighting is drawn where something is nearer, the background where
 // nothing is: rejected by depth, pixels cost nothing, while a branch in the shader would save nothing on llvmpipe.

@@ -1,4 +1,4 @@
-#include "sandbox/game/allocation_count.h"
+#include "sandbox/allocations.h"
 #include "sandbox/game/dusk_game.h"
 #include "sandbox/game/options.h"
 #include "sandbox/viewer/program_files.h"

@@ -1,7 +1,7 @@
 #include "sandbox/tool/frame_runner.h"
 
 #include "engine/core/check.h"
-#include "sandbox/tool/allocations.h"
+#include "sandbox/allocations.h"
 
 #include <chrono>
 

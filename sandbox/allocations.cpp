@@ -1,11 +1,11 @@
-#include "sandbox/tool/allocations.h"
+#include "sandbox/allocations.h"
 
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
-// The tool's own operator new, to prove that a warm frame allocates nothing. Drivers, which use
+// The programs' own operator new, to prove that a warm frame allocates nothing. Drivers, which use
 // malloc, do not count.
 
 namespace {
@@ -43,8 +43,8 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std
 void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 #endif
 
-namespace rushlight::tool {
+namespace rushlight {
 
 uint64_t allocationCount() { return count.load(std::memory_order_relaxed); }
 
-}  // namespace rushlight::tool
+}  // namespace rushlight

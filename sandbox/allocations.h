@@ -4,7 +4,7 @@
 
 namespace rushlight {
 
-/// Heap allocations of this process so far, by operator new.
+/// How often this process has called operator new so far, on any thread.
 uint64_t allocationCount();
 
 }  // namespace rushlight
