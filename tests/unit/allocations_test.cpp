@@ -1,6 +1,10 @@
 // "Allocates nothing per frame once warm", with no GPU.
 #include "tests/support/warm_frames.h"
 
+#include "renderer/frame/occlusion_buffer.h"
+#include "renderer/frame/occlusion_pick.h"
+#include "tests/support/shapes.h"
+
 namespace rushlight {
 namespace {
 
@@ -34,6 +38,31 @@ TEST(Allocations, WarmCapturesMakeNone) {
     const auto renderer = nullRenderer();
     RandomScene scene(*renderer, 1);
     EXPECT_EQ(allocationsOfWarmCaptures(*renderer, scene), 0u);
+}
+
+TEST(Allocations, WarmOcclusionMakesNone) {
+    const Shape sphere = makeSphere(8, 12);
+    const OccluderMesh mesh = makeOccluderMesh(sphere.positions, sphere.indices);
+    const std::vector<OccluderCandidate> candidates(9, {100, mesh.triangleCount()});
+    std::vector<uint32_t> picked;
+    OcclusionBuffer buffer;
+    SerialJobs jobs;
+    const auto frame = [&](float turn) {
+        pickOccluders(candidates, 1000, picked);
+        buffer.begin(320, 200, glm::rotate(mat4(1), turn, vec3(0, 0, 1)));
+        for (uint32_t i : picked) {
+            mat4x3 transform(0.4f);
+            transform[3] = {float(i % 3) - 1, float(i / 3) - 1, 0.5f};
+            buffer.addOccluder({&mesh, transform, true});
+        }
+        buffer.rasterize(jobs);
+        EXPECT_GT(buffer.triangleCount(), 0u);
+        return buffer.isVisible({0, 0, 0.2f}, {0.1f, 0.1f, 0.1f});
+    };
+    frame(0);
+    const uint64_t before = allocationsOnThisThread();
+    for (int i = 1; i < 4; ++i) frame(float(i));
+    EXPECT_EQ(allocationsOnThisThread() - before, 0u);
 }
 
 }  // namespace
