@@ -1,6 +1,8 @@
 #include "renderer/frame_renderer.h"
 
+#include "renderer/commands/frame_file.h"
 #include "renderer/frame/lighting_setup.h"
+#include "renderer/replay/snapshot.h"
 
 #include <algorithm>
 #include <chrono>
@@ -71,6 +73,10 @@ Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& o
     if (output.offscreen)
         commands_.push(Readback{plan_.texture(capturedImage_), 0, 0, output.ticket});
     report_.cpuBuildMs = millisecondsSince(start);
+    if (validates_)
+        if (auto ok = validateCommands(); !ok) return ok;
+    if (options.savedFrame)
+        *options.savedFrame = encodeFrame(takeSnapshot(device_, commands_, output.target));
 
     ExecuteOptions execute;
     execute.target = output.target;
@@ -80,6 +86,14 @@ Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& o
     fillReport(input);
     ++frameNumber_;
     return {};
+}
+
+Result<void> FrameRenderer::validateCommands() {
+    const std::vector<Error>& faults = validator_.validate(commands_, device_);
+    if (faults.empty()) return {};
+    for (const Error& fault : faults) log_(LogLevel::error, fault.text());
+    forgetCaches();  // what was planned is not drawn
+    return tl::unexpected(faults[0]);
 }
 
 Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutput& output) const {

@@ -2,6 +2,7 @@
 // One frame from FrameInput to a report: resolve, cull, list, light, plan, record, execute.
 
 #include "renderer/backend/device.h"
+#include "renderer/commands/validate_commands.h"
 #include "renderer/frame/draw_list.h"
 #include "renderer/frame/environment_store.h"
 #include "renderer/frame/final_target.h"
@@ -44,6 +45,7 @@ public:
 
     Result<void> render(const FrameInput&, const FrameOutput&, const FrameOptions&);
     void forgetCaches() { shadowPass_.forget(); }
+    void setValidation(bool on) { validates_ = on; }
 
     const FrameReport& report() const { return report_; }
     const CommandBuffer& commands() const { return commands_; }
@@ -62,6 +64,7 @@ private:
     Result<void> planDisplay(const FrameInput&, const FinalTarget&, ImageId radiance);
     Result<void> planDebugView(const FrameInput&, const FinalTarget&, const CameraMatrices&,
                                const GBufferPass::Outputs&, const LightingBindings&);
+    Result<void> validateCommands();
     void fillReport(const FrameInput&);
     template <class T>
     BufferRange uniforms(const T& value) {
@@ -86,6 +89,8 @@ private:
     SamplerHandle shadowSampler_, cubeSampler_, linearSampler_;
 
     CommandBuffer commands_;
+    CommandValidator validator_;
+    bool validates_ = false;
     ExecutionReport execution_;
     FrameReport report_;
     std::vector<PassReport> sparePassReports_;

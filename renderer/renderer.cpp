@@ -21,6 +21,12 @@ struct Renderer::State {
 
 namespace {
 
+#ifdef NDEBUG
+constexpr bool kDebugBuild = false;
+#else
+constexpr bool kDebugBuild = true;
+#endif
+
 // From rows at v = 0 (the bottom) to rows from the top.
 void convert(const ReadbackImage& from, CapturedImage& to) {
     to.width = from.width;
@@ -80,6 +86,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const RendererDesc& desc) {
     JobSystem& jobs = desc.jobs ? *desc.jobs : state->serialJobs;
     state->frames = std::make_unique<FrameRenderer>(*state->device, jobs, desc.log,
                                                     desc.cacheDirectory);
+    state->frames->setValidation(desc.validateCommands.value_or(kDebugBuild));
     return std::unique_ptr<Renderer>(new Renderer(std::move(state)));
 }
 

@@ -12,6 +12,7 @@
 #include "renderer/frame/frame_report.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,16 +26,21 @@ struct RendererDesc {
     /// which accepts and counts everything and draws nothing.
     GlLoadFunction loadGl = nullptr;
     JobSystem* jobs = nullptr;  ///< null: everything on the calling thread. Must outlive the renderer.
-    LogSink log;
-    std::string cacheDirectory;   ///< program binaries and prefiltered environments; empty: no cache on disk
-    std::string shaderDirectory;  ///< read shaders from here instead of those compiled in; enables reloadShaders()
+    LogSink log = {};
+    std::string cacheDirectory = {};   ///< program binaries and prefiltered environments; empty: no cache on disk
+    std::string shaderDirectory = {};  ///< read shaders from here instead of those compiled in; enables reloadShaders()
     uint32_t framesInFlight = 2;  ///< 1 to 3
     bool debugOutput = false;     ///< collect GL debug messages, see takeDebugMessages()
+    /// Check every frame's commands before they are executed (CommandValidator); what is wrong is render()'s Error.
+    /// Nothing: where the library is a debug build.
+    std::optional<bool> validateCommands = {};
 };
 
 struct FrameOptions {
     bool hashPasses = false;  ///< fill PassReport::hashes; slow
     bool timers = true;       ///< GPU timer queries around each pass
+    /// Gets the frame as an RLF file (renderer/commands/frame_file.h) before it is executed; slow.
+    std::vector<std::byte>* savedFrame = nullptr;
 };
 
 /// Pixels that came back. Rows from the top of the picture.

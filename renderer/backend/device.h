@@ -47,10 +47,9 @@ struct ReadbackImage {
     std::vector<std::byte> bytes;
 };
 
-class Device {
+/// Its descriptions are those that the objects were made from; a texture's and a buffer's contents are read back.
+class Device : public ResourceLookup {
 public:
-    virtual ~Device() = default;
-
     virtual std::string_view name() const = 0;     ///< e.g. GL_RENDERER
     virtual std::string_view version() const = 0;  ///< e.g. GL_VERSION
 
@@ -69,6 +68,12 @@ public:
     virtual void write(TextureHandle, const TextureRegion&, std::span<const std::byte> data) = 0;
     /// Copies `size` bytes between buffers; used to grow shared ones.
     virtual void copy(BufferHandle from, BufferHandle to, uint64_t size) = 0;
+
+    // Looking into, outside of frames; waits for the GPU. What was never written may hold anything.
+    virtual void read(BufferHandle, uint64_t offset, std::span<std::byte> out) = 0;
+    /// One image of a texture, as TextureRegion has it; `out` has exactly its size.
+    virtual void read(TextureHandle, uint32_t mipLevel, uint32_t layer,
+                      std::span<std::byte> out) = 0;
 
     /// Runs a frame: copies its data block into this frame's slot of a persistently mapped ring (waiting, and counting
     /// the wait, if the GPU still uses it), then its commands. `report` keeps its memory from frame to frame.

@@ -57,6 +57,8 @@ Result<void> validate(const TextureDesc& desc, const DeviceLimits& limits) {
 Result<void> validate(const PipelineDesc& desc) {
     if (desc.vertexShader.empty() || desc.fragmentShader.empty())
         return refuse(desc.label, "A pipeline needs a vertex and a fragment shader.");
+    if (desc.vertexSource.empty() != desc.fragmentSource.empty())
+        return refuse(desc.label, "A pipeline has the sources of both its shaders, or of none.");
     for (std::string_view define : desc.defines)
         if (define.empty() || define.find('\n') != define.npos)
             return refuse(desc.label, "A shader define must be one line of NAME or NAME VALUE.");

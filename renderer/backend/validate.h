@@ -21,10 +21,4 @@ Result<void> validate(const PipelineDesc&);
 /// Bytes that `region` of a texture of `format` takes, tightly packed.
 uint64_t byteSize(Format format, const TextureRegion& region);
 
-/// Width or height of a mip level.
-constexpr uint32_t mipSize(uint32_t size, uint32_t level) {
-    const uint32_t shifted = size >> level;
-    return shifted ? shifted : 1;
-}
-
 }  // namespace rushlight

@@ -13,6 +13,11 @@ void CommandBuffer::append(const CommandBuffer& other) {
     commands_.insert(commands_.end(), other.commands_.begin(), other.commands_.end());
 }
 
+void CommandBuffer::assign(std::span<const std::byte> commands, std::span<const std::byte> data) {
+    commands_.assign(commands.begin(), commands.end());
+    data_.assign(data.begin(), data.end());
+}
+
 void CommandBuffer::clear() {
     commands_.clear();
     data_.clear();

@@ -2,6 +2,7 @@
 
 #include "engine/core/check.h"
 #include "renderer/commands/commands.h"
+#include "renderer/commands/resource_lookup.h"
 
 #include <cstring>
 #include <span>
@@ -47,6 +48,9 @@ public:
     void append(const CommandBuffer& other);
     void clear();
 
+    /// Takes over commands that came from outside; checkCommandStream must have found them well formed.
+    void assign(std::span<const std::byte> commands, std::span<const std::byte> data);
+
     std::span<const std::byte> commandBytes() const { return commands_; }
     std::span<const std::byte> data() const { return data_; }
 
@@ -90,6 +94,7 @@ void visitCommands(const CommandBuffer& buffer, Visitor&& visit) {
             case CommandType::drawIndexed: call((const DrawIndexed*)nullptr); break;
             case CommandType::multiDrawIndexed: call((const MultiDrawIndexed*)nullptr); break;
             case CommandType::readback: call((const Readback*)nullptr); break;
+            case CommandType::declareImage: call((const DeclareImage*)nullptr); break;
             case CommandType::count: RL_CHECK(false, "a command has no type"); break;
         }
         at += header.size;
@@ -98,5 +103,8 @@ void visitCommands(const CommandBuffer& buffer, Visitor&& visit) {
 
 /// The commands as text, one a line, for people and for diff.
 std::string print(const CommandBuffer& buffer);
+
+/// As print, with the number of each command, from 1, and what `resources` knows of the objects in place of handles.
+std::string printNumbered(const CommandBuffer& buffer, const ResourceLookup& resources);
 
 }  // namespace rushlight

@@ -31,8 +31,8 @@ struct DepthAttachment {
     TextureHandle texture;
     uint16_t layer = 0;
     LoadOp load = LoadOp::keep;
-    uint8_t reserved = 0;
-    float clear = 0;  ///< reversed Z: 0 is infinitely far
+    uint8_t readOnly = 0;  ///< 1: tested, not written; the pass may sample it
+    float clear = 0;       ///< reversed Z: 0 is infinitely far
 };
 
 inline constexpr uint32_t kMaxColorAttachments = 4;
@@ -52,6 +52,7 @@ enum class CommandType : uint16_t {
     drawIndexed,
     multiDrawIndexed,
     readback,
+    declareImage,
     count
 };
 
@@ -70,6 +71,14 @@ struct BeginPass {
 struct EndPass {
     static constexpr CommandType kType = CommandType::endPass;
     uint32_t passIndex = 0;
+};
+/// In a pass, before all else: an image that the pass reads or writes, under the name that the frame knows it by (one
+/// texture may be several images of a frame). Draws nothing; CommandValidator and messages use it.
+struct DeclareImage {
+    static constexpr CommandType kType = CommandType::declareImage;
+    TextureHandle texture;
+    uint32_t write = 0;  ///< 1: a target of the pass, 0: sampled
+    char name[40] = {};
 };
 struct SetPipeline {
     static constexpr CommandType kType = CommandType::setPipeline;

@@ -1,3 +1,4 @@
+#include "engine/core/quoted.h"
 #include "renderer/commands/command_buffer.h"
 
 #include <cstdarg>
@@ -21,6 +22,7 @@ const char* toText(CommandType type) {
         case CommandType::drawIndexed: return "DrawIndexed";
         case CommandType::multiDrawIndexed: return "MultiDrawIndexed";
         case CommandType::readback: return "Readback";
+        case CommandType::declareImage: return "DeclareImage";
         case CommandType::count: break;
     }
     return "?";
@@ -30,20 +32,33 @@ namespace {
 
 class Printer {
 public:
+    explicit Printer(const ResourceLookup* resources) : resources_(resources) {}
     std::string text;
+
+    template <class Command>
+    void number(const Command& command) {
+        char digits[16];
+        std::snprintf(digits, sizeof digits, "%5u  ", ++number_);
+        text += digits;
+        (*this)(command);
+    }
 
     void operator()(const BeginPass& c) {
         line("BeginPass %u \"%s\" %ux%u%s", c.passIndex, c.name, c.width, c.height,
              c.toFrameTarget ? " frame-target" : "");
         for (uint32_t i = 0; i < c.colorCount; ++i)
-            line("  color%u texture=%08x mip=%u layer=%u %s", i, c.colors[i].texture.value,
-                 c.colors[i].mipLevel, c.colors[i].layer, loadText(c.colors[i].load));
+            detail("  color%u texture=%s mip=%u layer=%u %s", i, name(c.colors[i].texture).c_str(),
+                   c.colors[i].mipLevel, c.colors[i].layer, loadText(c.colors[i].load));
         if (c.depth.texture)
-            line("  depth texture=%08x layer=%u %s", c.depth.texture.value, c.depth.layer,
-                 loadText(c.depth.load));
+            detail("  depth texture=%s layer=%u %s%s", name(c.depth.texture).c_str(), c.depth.layer,
+                   loadText(c.depth.load), c.depth.readOnly ? " read-only" : "");
     }
     void operator()(const EndPass& c) { line("EndPass %u", c.passIndex); }
-    void operator()(const SetPipeline& c) { line("  SetPipeline %08x", c.pipeline.value); }
+    void operator()(const DeclareImage& c) {
+        line("  DeclareImage %s \"%s\" texture=%s", c.write ? "write" : "read", c.name,
+             name(c.texture).c_str());
+    }
+    void operator()(const SetPipeline& c) { line("  SetPipeline %s", name(c.pipeline).c_str()); }
     void operator()(const SetViewport& c) {
         line("  SetViewport %d %d %d %d", c.x, c.y, c.width, c.height);
     }
@@ -63,8 +78,8 @@ public:
         line("  BindTexelBuffer %u %s %s", c.slot, toText(c.format), rangeText(c.range).c_str());
     }
     void operator()(const BindTexture& c) {
-        line("  BindTexture %u texture=%08x sampler=%08x", c.slot, c.texture.value,
-             c.sampler.value);
+        line("  BindTexture %u texture=%s sampler=%s", c.slot, name(c.texture).c_str(),
+             value(c.sampler.value).c_str());
     }
     void operator()(const Draw& c) {
         line("  Draw vertices=%u instances=%u first=%u", c.vertexCount, c.instanceCount,
@@ -80,36 +95,67 @@ public:
              rangeText(c.commands).c_str());
     }
     void operator()(const Readback& c) {
-        line("Readback ticket=%u texture=%08x layer=%u mip=%u", c.ticket, c.texture.value, c.layer,
-             c.mipLevel);
+        line("Readback ticket=%u texture=%s layer=%u mip=%u", c.ticket, name(c.texture).c_str(),
+             c.layer, c.mipLevel);
     }
 
 private:
     static const char* loadText(LoadOp op) {
         return op == LoadOp::keep ? "keep" : op == LoadOp::clear ? "clear" : "discard";
     }
-    static std::string rangeText(const BufferRange& r) {
-        char text[80];
-        std::snprintf(text, sizeof text, "buffer=%08x offset=%llu size=%llu", r.buffer.value,
-                      (unsigned long long)r.offset, (unsigned long long)r.size);
-        return text;
+    std::string value(uint32_t handle) const {
+        char digits[16];
+        std::snprintf(digits, sizeof digits, resources_ ? "%u" : "%08x", handle);
+        return digits;
+    }
+    template <class AnyHandle>
+    std::string name(AnyHandle handle) const {
+        std::string out = value(handle.value);
+        if (!resources_ || !handle) return out;
+        const auto found = resources_->describe(handle);
+        return found ? out + " " + quoted(found->label) : out + " (unknown)";
+    }
+    std::string rangeText(const BufferRange& r) const {
+        const std::string buffer = resources_ && !r.buffer ? "data" : name(r.buffer);
+        return "buffer=" + buffer + " offset=" + std::to_string(r.offset) +
+               " size=" + std::to_string(r.size);
     }
     [[gnu::format(printf, 2, 3)]] void line(const char* format, ...) {
-        char buffer[256];
         va_list arguments;
         va_start(arguments, format);
-        std::vsnprintf(buffer, sizeof buffer, format, arguments);
+        add(format, arguments);
         va_end(arguments);
+    }
+    /// A further line of the same command.
+    [[gnu::format(printf, 2, 3)]] void detail(const char* format, ...) {
+        if (number_) text += "       ";
+        va_list arguments;
+        va_start(arguments, format);
+        add(format, arguments);
+        va_end(arguments);
+    }
+    void add(const char* format, va_list arguments) {
+        char buffer[512];
+        std::vsnprintf(buffer, sizeof buffer, format, arguments);
         text += buffer;
         text += '\n';
     }
+
+    const ResourceLookup* resources_;
+    uint32_t number_ = 0;
 };
 
 }  // namespace
 
 std::string print(const CommandBuffer& buffer) {
-    Printer printer;
+    Printer printer(nullptr);
     visitCommands(buffer, printer);
+    return std::move(printer.text);
+}
+
+std::string printNumbered(const CommandBuffer& buffer, const ResourceLookup& resources) {
+    Printer printer(&resources);
+    visitCommands(buffer, [&](const auto& command) { printer.number(command); });
     return std::move(printer.text);
 }
 

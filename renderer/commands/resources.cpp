@@ -23,4 +23,18 @@ uint32_t bytesPerTexel(Format format) { return kFormats[size_t(format)].bytes; }
 const char* toText(Format format) { return kFormats[size_t(format)].name; }
 bool isDepth(Format format) { return format == Format::depth32f || format == Format::depth16; }
 
+uint64_t imageBytes(const TextureDesc& desc, uint32_t mipLevel) {
+    return uint64_t(bytesPerTexel(desc.format)) * mipSize(desc.width, mipLevel) *
+           mipSize(desc.height, mipLevel);
+}
+
+bool isInteger(Format format) {
+    return format == Format::r16ui || format == Format::r32ui || format == Format::rgba32ui;
+}
+
+bool isTexelBufferFormat(Format format) {
+    return format != Format::none && format != Format::rgba8Srgb && format != Format::rgb10a2 &&
+           format != Format::r11g11b10f && !isDepth(format);
+}
+
 }  // namespace rushlight

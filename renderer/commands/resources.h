@@ -42,6 +42,15 @@ enum class Format : uint8_t {
 uint32_t bytesPerTexel(Format format);
 const char* toText(Format format);
 bool isDepth(Format format);
+bool isInteger(Format format);
+/// Whether a BindTexelBuffer may have it.
+bool isTexelBufferFormat(Format format);
+
+/// Width or height of a mip level.
+constexpr uint32_t mipSize(uint32_t size, uint32_t level) {
+    const uint32_t shifted = level < 32 ? size >> level : 0;
+    return shifted ? shifted : 1;
+}
 
 enum class TextureKind : uint8_t { texture2d, texture2dArray, cube };
 
@@ -54,6 +63,9 @@ struct TextureDesc {
     uint32_t layers = 1;  ///< array layers; 6 for a cube
     uint32_t mipLevels = 1;
 };
+
+/// Bytes of one layer of one mip level.
+uint64_t imageBytes(const TextureDesc& desc, uint32_t mipLevel);
 
 /// A box of texels of one mip level. Rows of `data` are tightly packed, first row = lowest v (glTF's top row).
 struct TextureRegion {
@@ -110,6 +122,10 @@ struct PipelineDesc {
     std::string_view vertexShader = {};
     std::string_view fragmentShader = {};
     std::span<const std::string_view> defines = {};  ///< "NAME" or "NAME VALUE"; order matters to the cache
+    // GLSL to be compiled as it is, with nothing looked up or put before it; the names above are for messages. Both or
+    // none.
+    std::string_view vertexSource = {};
+    std::string_view fragmentSource = {};
     VertexLayout layout = VertexLayout::none;
     bool movingInstances = false;  ///< the instance stream also holds previous transforms
     CullMode cull = CullMode::none;

@@ -229,13 +229,27 @@ void FramePlan::recordPass(uint32_t kept, CommandBuffer& commands) const {
         begin.depth.texture = image.texture;
         begin.depth.layer = uint16_t(pass.depth.layer);
         begin.depth.load = pass.depth.load;
+        begin.depth.readOnly = pass.depth.readOnly;
         begin.width = image.desc.width;
         begin.height = image.desc.height;
     }
     commands.push(begin);
+    declareImages(pass, commands);
     PassContext context(commands, *this, kept_[kept]);
     pass.caller(pass.function, payloads_.data() + pass.payload, context);
     commands.push(EndPass{kept});
+}
+
+void FramePlan::declareImages(const Pass& pass, CommandBuffer& commands) const {
+    const auto declare = [&](ImageId id, bool write) {
+        const Image& image = images_[id.value];
+        DeclareImage command{image.texture, write, {}};
+        std::strncpy(command.name, image.desc.name, sizeof command.name - 1);
+        commands.push(command);
+    };
+    for (uint32_t i = 0; i < pass.readCount; ++i) declare(pass.reads[i], false);
+    for (uint32_t i = 0; i < pass.colorCount; ++i) declare(pass.colors[i].image, true);
+    if (pass.depth.image && !pass.depth.readOnly) declare(pass.depth.image, true);
 }
 
 void FramePlan::record(JobSystem& jobs, CommandBuffer& out) {

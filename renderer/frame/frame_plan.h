@@ -170,6 +170,7 @@ private:
     Result<void> allocate();
     Result<TextureHandle> acquire(Image& image);
     void recordPass(uint32_t kept, CommandBuffer& commands) const;
+    void declareImages(const Pass& pass, CommandBuffer& commands) const;
     bool declared(uint32_t pass, ImageId image) const;
 
     Device& device_;

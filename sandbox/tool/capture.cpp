@@ -1,4 +1,5 @@
 #include "renderer/capture/image_files.h"
+#include "renderer/capture/write_file.h"
 #include "sandbox/tool/command.h"
 #include "sandbox/tool/frame_runner.h"
 #include "sandbox/tool/options.h"
@@ -19,6 +20,7 @@ struct CaptureArguments {
     RenderOptions render;
     std::string output;
     std::string pass;
+    std::string saveFrame;
     bool hashes = false;
     std::optional<FrameRange> frames;
     float framesPerSecond = 30;
@@ -59,7 +61,7 @@ public:
 private:
     FrameInput input() const;
     Result<void> write(const FrameInput&, const std::string& path);
-    Result<CapturedImage> render(const FrameInput&, CaptureKind, bool hashes);
+    Result<CapturedImage> render(const FrameInput&, CaptureKind, const FrameOptions&);
     void showProgress(uint32_t done, uint32_t count) const;
 
     const CaptureArguments& arguments_;
@@ -75,9 +77,8 @@ FrameInput Capture::input() const {
     return input;
 }
 
-Result<CapturedImage> Capture::render(const FrameInput& frame, CaptureKind kind, bool hashes) {
-    FrameOptions options;
-    options.hashPasses = hashes;
+Result<CapturedImage> Capture::render(const FrameInput& frame, CaptureKind kind,
+                                      const FrameOptions& options) {
     auto image = renderFrame(setup_, frame, arguments_.render.size, kind, options, times_);
     if (firstFrameMs_ < 0) firstFrameMs_ = times_.wallMs;
     return image;
@@ -85,7 +86,7 @@ Result<CapturedImage> Capture::render(const FrameInput& frame, CaptureKind kind,
 
 Result<void> Capture::warmUp() {
     for (uint32_t i = 0; i < arguments_.render.warmup; ++i)
-        if (auto image = render(input(), CaptureKind::display, false); !image)
+        if (auto image = render(input(), CaptureKind::display, {}); !image)
             return tl::unexpected(image.error());
     return {};
 }
@@ -94,8 +95,14 @@ Result<void> Capture::write(const FrameInput& frame, const std::string& path) {
     const auto format = imageFormatOf(path);
     if (!format) return tl::unexpected(format.error());
     const CaptureKind kind = *format == ImageFormat::exr ? CaptureKind::hdr : CaptureKind::display;
-    const auto image = render(frame, kind, arguments_.hashes);
+    std::vector<std::byte> saved;
+    FrameOptions options;
+    options.hashPasses = arguments_.hashes;
+    if (!arguments_.saveFrame.empty()) options.savedFrame = &saved;
+    const auto image = render(frame, kind, options);
     if (!image) return tl::unexpected(image.error());
+    if (options.savedFrame)
+        if (auto written = writeFile(arguments_.saveFrame, saved); !written) return written;
     if (arguments_.hashes) printHashes(setup_.renderer().report());
     return saveImage(path, PictureView(*image));
 }
@@ -147,6 +154,9 @@ Result<void> Capture::writeStats() const {
 
 /// What can be known to be wrong before anything is loaded.
 Result<void> checkOutput(const CaptureArguments& arguments) {
+    if (arguments.pass == "all" && !arguments.saveFrame.empty())
+        return fail("--save-frame", "It saves one frame; --pass all draws several.",
+                    ErrorKind::wrongUse);
     if (arguments.pass == "all") return {};
     const std::string& output = arguments.output;
     if (auto format = imageFormatOf(output); !format) return tl::unexpected(format.error());
@@ -187,9 +197,13 @@ void addCapture(CLI::App& app, Action& action) {
     pass->check(CLI::Validator(checkPassName, "NAME"));
     command->add_flag("--hashes", arguments->hashes,
                       "Print a `pass attachment hash` line for all that was drawn");
+    CLI::Option* saveFrame = command->add_option(
+        "--save-frame", arguments->saveFrame,
+        "Also write the frame's commands and resources into this .rlf file, for replay");
     CLI::Option* frames = command->add_option_function<std::string>(
         "--frames", [arguments](const std::string& text) { arguments->frames = parseFrames(text); },
         "A-B: a sequence of frames");
+    frames->excludes(saveFrame);
     command->add_option("--fps", arguments->framesPerSecond, "Frames a second of the sequence")
         ->check(finiteNumber())
         ->check(CLI::Range(0.01f, 100000.0f))

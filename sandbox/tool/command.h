@@ -29,6 +29,7 @@ void addCapture(CLI::App& app, Action& action);
 void addCompare(CLI::App& app, Action& action);
 void addDoctor(CLI::App& app, Action& action);
 void addInfo(CLI::App& app, Action& action);
+void addReplay(CLI::App& app, Action& action);
 void addView(CLI::App& app, Action& action);
 
 }  // namespace rushlight::tool

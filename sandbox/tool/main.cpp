@@ -16,6 +16,7 @@ int run(int argumentCount, char** arguments) {
     addCompare(app, action);
     addBench(app, action);
     addInfo(app, action);
+    addReplay(app, action);
     addDoctor(app, action);
     addView(app, action);
     try {

@@ -177,12 +177,7 @@ void addRenderOptions(CLI::App& app, RenderOptions& o) {
     app.add_option_function<std::string>(
         "--size", [&o](const std::string& text) { o.size = parseSize(text); },
         "Pixels, WxH (1280x720)");
-    addChoice<ContextChoice>(app, "--context", o.context,
-                             {{"auto", ContextChoice::automatic},
-                              {"egl", ContextChoice::egl},
-                              {"osmesa", ContextChoice::osmesa},
-                              {"window", ContextChoice::window}},
-                             "How to get OpenGL (auto)");
+    addContextOption(app, o.context);
     app.add_option("--threads", o.threads, "Threads that build a frame; 0: one a core")
         ->check(CLI::Range(0u, 256u));
     app.add_option("--warmup", o.warmup, "Frames to render before the first that counts")
@@ -193,6 +188,15 @@ void addRenderOptions(CLI::App& app, RenderOptions& o) {
     addLightOptions(app, o);
     addDisplayOptions(app, o);
     addQualityOptions(app, o);
+}
+
+void addContextOption(CLI::App& app, ContextChoice& choice) {
+    addChoice<ContextChoice>(app, "--context", choice,
+                             {{"auto", ContextChoice::automatic},
+                              {"egl", ContextChoice::egl},
+                              {"osmesa", ContextChoice::osmesa},
+                              {"window", ContextChoice::window}},
+                             "How to get OpenGL (auto)");
 }
 
 CLI::Validator finiteNumber() {

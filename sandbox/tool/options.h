@@ -69,6 +69,8 @@ struct RenderOptions {
 CLI::Validator finiteNumber();
 
 void addRenderOptions(CLI::App& command, RenderOptions& options);
+/// --context alone, for what renders no scene.
+void addContextOption(CLI::App& command, ContextChoice& choice);
 
 /// The quality level's settings with the single switches over them.
 FrameSettings settingsFrom(const RenderOptions& options);

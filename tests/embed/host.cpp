@@ -29,6 +29,7 @@ public:
     Scene() {
         rushlight::RendererDesc desc;
         desc.loadGl = host::Context::load;
+        desc.validateCommands = true;
         renderer = std::move(rushlight::Renderer::create(desc).value());
         std::vector<glm::vec3> positions, normals;
         std::vector<glm::vec2> uvs;

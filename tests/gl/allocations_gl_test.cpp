@@ -11,6 +11,7 @@ protected:
         ASSERT_TRUE(context_.valid());
         RendererDesc desc;
         desc.loadGl = TestContext::load;
+        desc.validateCommands = true;
         renderer = std::move(Renderer::create(desc).value());
     }
     TestContext context_;

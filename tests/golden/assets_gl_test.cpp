@@ -61,6 +61,7 @@ TEST(Assets, EverySceneIsDrawnOrRefusedWithAReason) {
     RendererDesc desc;
     desc.loadGl = (*context)->loader();
     desc.debugOutput = true;
+    desc.validateCommands = true;
     const auto renderer = Renderer::create(desc);
     ASSERT_TRUE(renderer) << renderer.error().text();
 

@@ -24,6 +24,7 @@ Result<Rendered> render(const std::string& scene, GlLoadFunction loadGl, uint32_
     const auto jobs = createTbbJobs(threads);
     RendererDesc desc;
     desc.loadGl = loadGl;
+    desc.validateCommands = true;
     desc.jobs = jobs.get();
     const auto renderer = Renderer::create(desc);
     if (!renderer) return tl::unexpected(renderer.error());

@@ -45,6 +45,7 @@ Result<CapturedImage> renderGolden(const Golden& golden, GlLoadFunction loadGl,
                                    const std::string& shaderDirectory) {
     RendererDesc desc;
     desc.loadGl = loadGl;
+    desc.validateCommands = true;
     desc.shaderDirectory = shaderDirectory;
     auto renderer = Renderer::create(desc);
     if (!renderer) return tl::unexpected(renderer.error());

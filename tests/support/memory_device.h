@@ -58,6 +58,26 @@ public:
         null_->copy(from, to, size);
         std::copy_n(buffers.at(from).begin(), size, buffers.at(to).begin());
     }
+    std::optional<BufferDesc> describe(BufferHandle b) const override { return null_->describe(b); }
+    std::optional<TextureDesc> describe(TextureHandle t) const override { return null_->describe(t); }
+    std::optional<SamplerDesc> describe(SamplerHandle s) const override { return null_->describe(s); }
+    std::optional<PipelineDesc> describe(PipelineHandle p) const override { return null_->describe(p); }
+    void read(BufferHandle buffer, uint64_t offset, std::span<std::byte> out) override {
+        null_->read(buffer, offset, out);
+        std::copy_n(buffers.at(buffer).begin() + std::ptrdiff_t(offset), out.size(), out.begin());
+    }
+    /// What was last written to the image as a whole; zeroes where nothing was.
+    void read(TextureHandle texture, uint32_t mipLevel, uint32_t layer,
+              std::span<std::byte> out) override {
+        null_->read(texture, mipLevel, layer, out);
+        for (const Upload& upload : uploads) {
+            const TextureRegion& r = upload.region;
+            if (upload.texture == texture && r.mipLevel == mipLevel && layer >= r.layer &&
+                layer - r.layer < r.layerCount && upload.data.size() == out.size() * r.layerCount)
+                std::copy_n(upload.data.begin() + std::ptrdiff_t((layer - r.layer) * out.size()),
+                            out.size(), out.begin());
+        }
+    }
     void execute(const CommandBuffer& commands, const ExecuteOptions& options,
                  ExecutionReport& report) override {
         null_->execute(commands, options, report);

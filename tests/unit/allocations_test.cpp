@@ -8,7 +8,7 @@
 namespace rushlight {
 namespace {
 
-std::unique_ptr<Renderer> nullRenderer() { return std::move(Renderer::create({}).value()); }
+std::unique_ptr<Renderer> nullRenderer() { return std::move(Renderer::create({.validateCommands = true}).value()); }
 
 TEST(Allocations, TheCounterCounts) {
     const uint64_t before = allocationsOnThisThread();

@@ -32,7 +32,7 @@ void expectError(const std::string& arguments, int code) {
 }
 
 TEST(Cli, HelpWorksForEverySubcommand) {
-    for (const char* command : {"", "capture ", "compare ", "bench ", "info ", "doctor "}) {
+    for (const char* command : {"", "capture ", "compare ", "bench ", "info ", "doctor ", "replay "}) {
         const Ended result = run(std::string(command) + "--help");
         EXPECT_EQ(result.code, 0) << command;
         EXPECT_EQ(result.errors, "");
@@ -41,7 +41,7 @@ TEST(Cli, HelpWorksForEverySubcommand) {
 
 TEST(Cli, WrongUseIsTwo) {
     for (const char* arguments :
-         {"", "nonsense", "capture", "capture a.glb", "capture a.glb -o a.png --save-frame f.rlf",
+         {"", "nonsense", "capture", "capture a.glb",
           "capture a.glb -o a.png --size 0x5", "capture a.glb -o a.png --size 12",
           "capture a.glb -o a.png --eye 1,2,3", "capture a.glb -o a.png --pass nonsense",
           "capture a.glb -o a.bmp", "capture a.glb -o a.png --frames 0-3",
@@ -50,6 +50,10 @@ TEST(Cli, WrongUseIsTwo) {
           "capture a.glb -o a.png --exposure-scale nan", "capture a.glb -o a.png --fov nan",
           "capture a.glb -o a.png --environment-rotation inf",
           "capture a.glb -o a.png --size 99999x99999", "capture a.glb -o %d.png --frames 0-1 --fps nan",
+          "capture a.glb -o %d.png --frames 0-1 --save-frame f.rlf",
+          "capture a.glb -o a --pass all --save-frame f.rlf", "replay", "replay a.rlf",
+          "replay a.rlf -o a.bmp", "replay a.rlf -o a.png --until 0", "replay a.rlf --until 3",
+          "replay --diff a.rlf", "replay a.rlf --diff b.rlf c.rlf", "replay a.rlf -o a.png --size 5x5",
           "compare a.png b.png --flip nan", "compare a.png b.png --pixels-per-degree nan"})
         expectError(arguments, 2);
 }
@@ -58,6 +62,10 @@ TEST(Cli, BadInputIsThree) {
     expectError("info /nowhere/a.glb", 3);
     expectError("capture /nowhere/a.glb -o /nowhere/a.png", 3);
     expectError("compare /nowhere/a.png /nowhere/b.png", 3);
+    expectError("replay /nowhere/a.rlf -o /nowhere/a.png", 3);
+    expectError("replay /dev --list", 3);
+    expectError("replay " RUSHLIGHT_TOOL " --list", 3);
+    expectError("replay --diff " RUSHLIGHT_TOOL " " RUSHLIGHT_TOOL, 3);
 }
 
 }  // namespace

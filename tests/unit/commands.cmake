@@ -2,3 +2,9 @@ add_executable(commands_test commands_test.cpp)
 target_link_libraries(commands_test PRIVATE
   rushlight_null_backend GTest::gtest_main rushlight_options)
 gtest_discover_tests(commands_test)
+
+# Frames as values: files, comparison, validation, replay.
+add_executable(frame_file_test frame_file_test.cpp validate_commands_test.cpp)
+target_link_libraries(frame_file_test PRIVATE
+  rushlight_replay rushlight_null_backend GTest::gtest_main rushlight_options)
+gtest_discover_tests(frame_file_test)

@@ -13,12 +13,13 @@ namespace {
 
 constexpr FrameTarget kTarget{0, 320, 200};
 
-std::unique_ptr<Renderer> nullRenderer() { return std::move(Renderer::create({}).value()); }
+std::unique_ptr<Renderer> nullRenderer() { return std::move(Renderer::create({.validateCommands = true}).value()); }
 
 /// The commands of the first three frames of a scene.
 std::string commandsOf(uint64_t seed, JobSystem* jobs, const std::string& cache) {
     RendererDesc desc;
     desc.jobs = jobs;
+    desc.validateCommands = true;
     desc.cacheDirectory = cache;
     const auto renderer = std::move(Renderer::create(desc).value());
     RandomScene scene(*renderer, seed);

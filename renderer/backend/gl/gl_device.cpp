@@ -87,6 +87,17 @@ public:
     void write(TextureHandle handle, const TextureRegion& region,
                std::span<const std::byte> data) override;
     void copy(BufferHandle from, BufferHandle to, uint64_t size) override;
+    std::optional<BufferDesc> describe(BufferHandle handle) const override;
+    std::optional<TextureDesc> describe(TextureHandle handle) const override;
+    std::optional<SamplerDesc> describe(SamplerHandle handle) const override;
+    std::optional<PipelineDesc> describe(PipelineHandle handle) const override;
+    const PipelineSlots* slots(PipelineHandle handle) const override {
+        const GlPipeline* pipeline = resources_.pipelines.find(handle);
+        return pipeline ? &programs_.slots(pipeline->program) : nullptr;
+    }
+    void read(BufferHandle handle, uint64_t offset, std::span<std::byte> out) override;
+    void read(TextureHandle handle, uint32_t mipLevel, uint32_t layer,
+              std::span<std::byte> out) override;
     void execute(const CommandBuffer& commands, const ExecuteOptions& options,
                  ExecutionReport& report) override;
     bool takeReadback(uint32_t ticket, bool wait, ReadbackImage& image) override {
@@ -130,8 +141,45 @@ Result<PipelineHandle> GlDevice::createPipeline(const PipelineDesc& desc) {
         return resources_.pipelines.insert(
             {program, desc.layout, desc.movingInstances, desc.lines,
              {desc.cull, desc.depthTest, desc.depthWrite, desc.depthClamp, desc.depthBias,
-              desc.depthBiasSlope, desc.blend}});
+              desc.depthBiasSlope, desc.blend},
+             std::string(desc.label)});
     });
+}
+
+std::optional<BufferDesc> GlDevice::describe(BufferHandle handle) const {
+    const GlBuffer* buffer = resources_.buffers.find(handle);
+    if (!buffer) return {};
+    return BufferDesc{buffer->label, buffer->size, buffer->usage};
+}
+
+std::optional<TextureDesc> GlDevice::describe(TextureHandle handle) const {
+    const GlTexture* t = resources_.textures.find(handle);
+    if (!t) return {};
+    return TextureDesc{t->label, t->kind, t->format, t->width, t->height, t->layers, t->mipLevels};
+}
+
+std::optional<SamplerDesc> GlDevice::describe(SamplerHandle handle) const {
+    const GlSampler* sampler = resources_.samplers.find(handle);
+    if (!sampler) return {};
+    return sampler->desc;
+}
+
+std::optional<PipelineDesc> GlDevice::describe(PipelineHandle handle) const {
+    const GlPipeline* pipeline = resources_.pipelines.find(handle);
+    if (!pipeline) return {};
+    PipelineDesc desc = programs_.describe(pipeline->program);
+    desc.label = pipeline->label;
+    desc.layout = pipeline->layout;
+    desc.movingInstances = pipeline->movingInstances;
+    desc.lines = pipeline->lines;
+    desc.cull = pipeline->fixed.cull;
+    desc.depthTest = pipeline->fixed.depthTest;
+    desc.depthWrite = pipeline->fixed.depthWrite;
+    desc.depthClamp = pipeline->fixed.depthClamp;
+    desc.depthBias = pipeline->fixed.depthBias;
+    desc.depthBiasSlope = pipeline->fixed.depthBiasSlope;
+    desc.blend = pipeline->fixed.blend;
+    return desc;
 }
 
 // GL keeps a deleted object's memory until the GPU is done with it; only names must be forgotten.
@@ -183,6 +231,25 @@ void GlDevice::copy(BufferHandle from, BufferHandle to, uint64_t size) {
              "a copy goes beyond the end of a buffer");
     if (size == 0) return;
     gl_.CopyNamedBufferSubData(source.name, destination.name, 0, 0, GLsizeiptr(size));
+}
+
+void GlDevice::read(BufferHandle handle, uint64_t offset, std::span<std::byte> out) {
+    const GlBuffer& buffer = resources_.buffer(handle);
+    RL_CHECK(offset <= buffer.size && out.size() <= buffer.size - offset,
+             "a read goes beyond the end of its buffer");
+    if (!out.empty())
+        gl_.GetNamedBufferSubData(buffer.name, GLintptr(offset), GLsizeiptr(out.size()),
+                                  out.data());
+}
+
+void GlDevice::read(TextureHandle handle, uint32_t mipLevel, uint32_t layer,
+                    std::span<std::byte> out) {
+    const auto desc = describe(handle);
+    RL_CHECK(desc && mipLevel < desc->mipLevels && layer < desc->layers,
+             "a read names a texture, mip level or layer that does not exist");
+    RL_CHECK(out.size() == imageBytes(*desc, mipLevel),
+             "a texture read has not the bytes of its image");
+    readback_.read(resources_.texture(handle), layer, mipLevel, out);
 }
 
 void GlDevice::execute(const CommandBuffer& commands, const ExecuteOptions& options,

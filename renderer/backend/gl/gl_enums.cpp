@@ -41,10 +41,6 @@ constexpr GLenum kMipFilters[2][2] = {{GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST_MIP
 
 const GlFormat& glFormat(Format format) { return kFormats[size_t(format)]; }
 
-bool isInteger(Format format) {
-    return format == Format::r16ui || format == Format::r32ui || format == Format::rgba32ui;
-}
-
 GLenum glTarget(TextureKind kind) { return kTargets[size_t(kind)]; }
 GLenum glWrap(TextureWrap wrap) { return kWraps[size_t(wrap)]; }
 GLenum glMagnify(TextureFilter filter) { return kFilters[size_t(filter)]; }

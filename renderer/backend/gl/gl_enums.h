@@ -13,7 +13,6 @@ struct GlFormat {
     GLenum type;
 };
 const GlFormat& glFormat(Format format);
-bool isInteger(Format format);
 
 GLenum glTarget(TextureKind kind);
 GLenum glWrap(TextureWrap wrap);

@@ -120,7 +120,7 @@ void GlExecutor::operator()(const SetScissor& c) {
 }
 
 void GlExecutor::operator()(const SetVertexStream& command) {
-    RL_CHECK(command.slot < GlVertexArrays::kStreams, "a vertex stream slot is over the limit");
+    RL_CHECK(command.slot < kVertexStreams, "a vertex stream slot is over the limit");
     const Source source = resolve(command.range);
     streams_[command.slot] = {source.buffer, source.offset, GLsizei(command.stride)};
 }
@@ -134,7 +134,7 @@ void GlExecutor::operator()(const BindUniforms& command) {
 }
 
 void GlExecutor::operator()(const BindTexelBuffer& command) {
-    RL_CHECK(command.slot < GlState::kTextureUnits, "a texture unit is over the limit");
+    RL_CHECK(command.slot < kTextureUnits, "a texture unit is over the limit");
     if (command.range.size == 0) {  // GL refuses empty ranges; an unbound unit reads zeroes
         state_.bindTexture(command.slot, 0);
         return;

@@ -20,7 +20,7 @@ struct GlTexelUnit {
     uint64_t size = 0;
     Format format = Format::none;
 };
-using GlTexelUnits = std::array<GlTexelUnit, GlState::kTextureUnits>;
+using GlTexelUnits = std::array<GlTexelUnit, kTextureUnits>;
 
 /// What an executor plays with; all outlive it.
 struct GlParts {
@@ -42,6 +42,7 @@ public:
         : parts_(parts), gl_(parts.gl), state_(parts.state), options_(options), report_(report) {}
 
     void operator()(const BeginPass& command);
+    void operator()(const DeclareImage&) {}
     void operator()(const EndPass& command);
     void operator()(const SetPipeline& command);
     void operator()(const SetViewport& command);

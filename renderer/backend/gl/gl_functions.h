@@ -89,7 +89,10 @@ private:
     X(Finish, FINISH)                                           \
     X(Flush, FLUSH)                                             \
     X(FrontFace, FRONTFACE)                                     \
+    X(GetActiveUniform, GETACTIVEUNIFORM)                       \
+    X(GetActiveUniformBlockiv, GETACTIVEUNIFORMBLOCKIV)         \
     X(GetIntegerv, GETINTEGERV)                                 \
+    X(GetNamedBufferSubData, GETNAMEDBUFFERSUBDATA)             \
     X(GetPointerv, GETPOINTERV)                                 \
     X(GetProgramBinary, GETPROGRAMBINARY)                       \
     X(GetProgramInfoLog, GETPROGRAMINFOLOG)                     \
@@ -101,6 +104,8 @@ private:
     X(GetString, GETSTRING)                                     \
     X(GetStringi, GETSTRINGI)                                   \
     X(GetTextureSubImage, GETTEXTURESUBIMAGE)                   \
+    X(GetUniformLocation, GETUNIFORMLOCATION)                   \
+    X(GetUniformiv, GETUNIFORMIV)                               \
     X(InvalidateNamedFramebufferData, INVALIDATENAMEDFRAMEBUFFERDATA) \
     X(LineWidth, LINEWIDTH)                                     \
     X(LinkProgram, LINKPROGRAM)                                 \

@@ -9,21 +9,26 @@ GlPrograms::~GlPrograms() {
 }
 
 Result<uint32_t> GlPrograms::get(const PipelineDesc& desc) {
-    Program wanted{std::string(desc.label), std::string(desc.vertexShader),
-                   std::string(desc.fragmentShader), {desc.defines.begin(), desc.defines.end()}};
-    const Result<Sources> sources = loadSources(wanted);
+    Program wanted;
+    wanted.label = desc.label;
+    wanted.vertexShader = desc.vertexShader;
+    wanted.fragmentShader = desc.fragmentShader;
+    wanted.defines.assign(desc.defines.begin(), desc.defines.end());
+    wanted.fromLibrary = desc.vertexSource.empty();
+    Result<Sources> sources = wanted.fromLibrary ? loadSources(wanted) : givenSources(desc);
     if (!sources) return tl::unexpected(sources.error());
     wanted.sourceHash = sources->hash;
     for (uint32_t i = 0; i < programs_.size(); ++i) {
         const Program& program = programs_[i];
         if (program.vertexShader == wanted.vertexShader &&
             program.fragmentShader == wanted.fragmentShader &&
-            program.defines == wanted.defines && program.sourceHash == wanted.sourceHash)
+            program.defines == wanted.defines && program.sourceHash == wanted.sourceHash &&
+            program.fromLibrary == wanted.fromLibrary)
             return i;
     }
     const Result<GLuint> name = build(wanted, *sources);
     if (!name) return tl::unexpected(name.error());
-    wanted.name = *name;
+    adopt(wanted, *name, *sources);
     programs_.push_back(std::move(wanted));
     return uint32_t(programs_.size() - 1);
 }
@@ -32,7 +37,8 @@ Result<uint32_t> GlPrograms::reload() {
     uint32_t replaced = 0;
     Result<uint32_t> outcome = 0u;
     for (Program& program : programs_) {
-        const Result<Sources> sources = loadSources(program);
+        if (!program.fromLibrary) continue;
+        Result<Sources> sources = loadSources(program);
         if (sources && sources->hash == program.sourceHash) continue;
         const Result<GLuint> name =
             sources ? build(program, *sources) : Result<GLuint>(tl::unexpected(sources.error()));
@@ -42,8 +48,7 @@ Result<uint32_t> GlPrograms::reload() {
         }
         state_.forgetProgram(program.name);
         gl_.DeleteProgram(program.name);
-        program.name = *name;
-        program.sourceHash = sources->hash;
+        adopt(program, *name, *sources);
         ++replaced;
     }
     if (outcome) outcome = replaced;
@@ -57,6 +62,32 @@ Result<GlPrograms::Sources> GlPrograms::loadSources(const Program& program) cons
     if (!fragment) return tl::unexpected(fragment.error());
     const uint64_t hash = hashText(fragment->text, hashText(vertex->text));
     return Sources{std::move(*vertex), std::move(*fragment), hash};
+}
+
+GlPrograms::Sources GlPrograms::givenSources(const PipelineDesc& desc) {
+    Sources sources;
+    sources.vertex.text = desc.vertexSource;
+    sources.fragment.text = desc.fragmentSource;
+    sources.hash = hashText(sources.fragment.text, hashText(sources.vertex.text));
+    return sources;
+}
+
+void GlPrograms::adopt(Program& program, GLuint name, Sources& sources) const {
+    program.name = name;
+    program.sourceHash = sources.hash;
+    program.vertexText = std::move(sources.vertex.text);
+    program.fragmentText = std::move(sources.fragment.text);
+    program.slots = reflectSlots(gl_, name);
+}
+
+PipelineDesc GlPrograms::describe(uint32_t index) const {
+    const Program& program = programs_[index];
+    PipelineDesc desc;
+    desc.vertexShader = program.vertexShader;
+    desc.fragmentShader = program.fragmentShader;
+    desc.vertexSource = program.vertexText;
+    desc.fragmentSource = program.fragmentText;
+    return desc;
 }
 
 Result<GLuint> GlPrograms::build(const Program& program, const Sources& sources) const {

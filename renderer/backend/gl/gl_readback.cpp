@@ -119,6 +119,12 @@ bool GlReadback::take(uint32_t ticket, bool wait, ReadbackImage& image) {
     return true;
 }
 
+void GlReadback::read(const GlTexture& texture, uint32_t layer, uint32_t mipLevel,
+                      std::span<std::byte> out) {
+    gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    copyOut(gl_, texture, layer, mipLevel, out.size(), out.data());
+}
+
 uint64_t GlReadback::hashTexture(const GlTexture& texture, uint32_t layer, uint32_t mipLevel) {
     scratch_.resize(size_t(bytesPerTexel(texture.format)) * mipSize(texture.width, mipLevel) *
                     mipSize(texture.height, mipLevel));

@@ -17,7 +17,9 @@ public:
     void copyTarget(uint32_t ticket, GlState& state, const FrameTarget& target);
     bool take(uint32_t ticket, bool wait, ReadbackImage& image);
 
-    // At once, waiting: the hash of what an attachment holds.
+    // At once, waiting: what an image holds, and the hash of what an attachment holds.
+    void read(const GlTexture& texture, uint32_t layer, uint32_t mipLevel,
+              std::span<std::byte> out);
     uint64_t hashTexture(const GlTexture& texture, uint32_t layer, uint32_t mipLevel);
     uint64_t hashTarget(GlState& state, const FrameTarget& target);
 

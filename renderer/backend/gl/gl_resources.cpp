@@ -33,8 +33,7 @@ GlResources::~GlResources() {
 }
 
 GlBuffer GlResources::createBuffer(const BufferDesc& desc) {
-    GlBuffer buffer;
-    buffer.size = desc.size;
+    GlBuffer buffer{0, desc.size, desc.usage, std::string(desc.label)};
     gl_.CreateBuffers(1, &buffer.name);
     gl_.NamedBufferStorage(buffer.name, GLsizeiptr(desc.size), nullptr, GL_DYNAMIC_STORAGE_BIT);
     gl_.label(GL_BUFFER, buffer.name, desc.label);

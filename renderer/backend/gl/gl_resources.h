@@ -12,6 +12,8 @@ namespace rushlight {
 struct GlBuffer {
     GLuint name = 0;
     uint64_t size = 0;
+    BufferUsage usage = BufferUsage::vertex;
+    std::string label;
 };
 
 struct GlTexture {
@@ -33,6 +35,7 @@ struct GlPipeline {
     bool movingInstances = false;
     bool lines = false;
     GlFixedState fixed;
+    std::string label;
 };
 
 /// What distinguishes one framebuffer object from another.

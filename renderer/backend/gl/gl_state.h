@@ -2,7 +2,7 @@
 // The one state cache: every bind and every enable of the backend goes through it, the redundant ones go no further.
 
 #include "renderer/backend/gl/gl_functions.h"
-#include "renderer/commands/resources.h"
+#include "renderer/commands/resource_lookup.h"
 
 #include <array>
 
@@ -26,9 +26,6 @@ struct GlRect {
 
 class GlState {
 public:
-    static constexpr uint32_t kUniformSlots = 8;
-    static constexpr uint32_t kTextureUnits = 32;
-
     explicit GlState(const GlFunctions& gl) : gl_(gl) {}
 
     /// Sets all that a frame relies on; what the host left is not looked at.

@@ -87,7 +87,7 @@ void GlVertexArrays::bind(VertexLayout layout, bool movingInstances, const Strea
     Array& array = arrays_[size_t(layout) * 2 + (movingInstances ? 1 : 0)];
     if (!array.name) create(array, layout, movingInstances);
     state_.bindVertexArray(array.name);
-    for (uint32_t slot = 0; slot < kStreams; ++slot) {
+    for (uint32_t slot = 0; slot < kVertexStreams; ++slot) {
         const GlStream& stream = streams[slot];
         if (!array.reads[slot] || array.streams[slot] == stream) continue;
         array.streams[slot] = stream;

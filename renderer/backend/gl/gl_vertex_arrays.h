@@ -16,8 +16,7 @@ struct GlStream {
 
 class GlVertexArrays {
 public:
-    static constexpr uint32_t kStreams = 4;
-    using Streams = std::array<GlStream, kStreams>;
+    using Streams = std::array<GlStream, kVertexStreams>;
 
     GlVertexArrays(const GlFunctions& gl, GlState& state) : gl_(gl), state_(state) {}
     ~GlVertexArrays();
@@ -29,7 +28,7 @@ public:
 private:
     struct Array {
         GLuint name = 0;
-        std::array<bool, kStreams> reads{};
+        std::array<bool, kVertexStreams> reads{};
         Streams streams{};
         GLuint indices = 0;
     };

@@ -8,17 +8,24 @@
 namespace rushlight {
 namespace {
 
-struct NullTexture {
-    TextureKind kind{};
-    Format format{};
-    uint32_t width = 0, height = 0, layers = 0, mipLevels = 0;
+// Descriptions with the texts that they were made with.
+struct NullTexture : TextureDesc {
+    std::string text;
 };
-struct NullBuffer {
-    uint64_t size = 0;
+struct NullBuffer : BufferDesc {
+    std::string text;
 };
-struct NullPipeline {
-    bool lines = false;
+struct NullPipeline : PipelineDesc {
+    std::string texts[5];
 };
+
+template <class Kept, class Desc>
+std::optional<Desc> describeKept(const Kept* kept) {
+    if (!kept) return {};
+    Desc desc = *kept;
+    desc.label = kept->text;
+    return desc;
+}
 struct PendingReadback {
     uint32_t ticket;
     Format format;
@@ -53,6 +60,7 @@ public:
         if (options_.hashAttachments)
             pass_->attachmentHashes.assign(c.toFrameTarget ? 1 : c.colorCount + depths, 0);
     }
+    void operator()(const DeclareImage& c) { checkTexture(c.texture); }
     void operator()(const EndPass&) {
         ++report_.glCalls;
         RL_CHECK(pass_, "a pass ends that did not begin");
@@ -140,13 +148,12 @@ public:
     std::string_view version() const override { return "accepts everything, draws nothing"; }
 
     Result<BufferHandle> createBuffer(const BufferDesc& desc) override {
-        return validate(desc, {}).map([&] { return state_.buffers.insert({desc.size}); });
+        return validate(desc, {}).map(
+            [&] { return state_.buffers.insert({desc, std::string(desc.label)}); });
     }
     Result<TextureHandle> createTexture(const TextureDesc& desc) override {
-        return validate(desc, {}).map([&] {
-            return state_.textures.insert({desc.kind, desc.format, desc.width, desc.height,
-                                           desc.layers, desc.mipLevels});
-        });
+        return validate(desc, {}).map(
+            [&] { return state_.textures.insert({desc, std::string(desc.label)}); });
     }
     SamplerHandle createSampler(const SamplerDesc& desc) override {
         SamplerHandle equal;
@@ -156,7 +163,36 @@ public:
         return equal ? equal : state_.samplers.insert(desc);
     }
     Result<PipelineHandle> createPipeline(const PipelineDesc& desc) override {
-        return validate(desc).map([&] { return state_.pipelines.insert({desc.lines}); });
+        return validate(desc).map([&] {
+            const auto copy = [](std::string_view text) { return std::string(text); };
+            return state_.pipelines.insert(
+                {desc,
+                 {copy(desc.label), copy(desc.vertexShader), copy(desc.fragmentShader),
+                  copy(desc.vertexSource), copy(desc.fragmentSource)}});
+        });
+    }
+
+    std::optional<BufferDesc> describe(BufferHandle handle) const override {
+        return describeKept<NullBuffer, BufferDesc>(state_.buffers.find(handle));
+    }
+    std::optional<TextureDesc> describe(TextureHandle handle) const override {
+        return describeKept<NullTexture, TextureDesc>(state_.textures.find(handle));
+    }
+    std::optional<SamplerDesc> describe(SamplerHandle handle) const override {
+        const SamplerDesc* found = state_.samplers.find(handle);
+        return found ? std::optional(*found) : std::nullopt;
+    }
+    std::optional<PipelineDesc> describe(PipelineHandle handle) const override {
+        const NullPipeline* found = state_.pipelines.find(handle);
+        if (!found) return {};
+        PipelineDesc desc = *found;
+        desc.label = found->texts[0];
+        desc.vertexShader = found->texts[1];
+        desc.fragmentShader = found->texts[2];
+        desc.vertexSource = found->texts[3];
+        desc.fragmentSource = found->texts[4];
+        desc.defines = {};
+        return desc;
     }
     void destroy(BufferHandle handle) override { state_.buffers.erase(handle); }
     void destroy(TextureHandle handle) override { state_.textures.erase(handle); }
@@ -180,6 +216,22 @@ public:
         RL_CHECK(source && destination, "a copy names a buffer that does not exist");
         RL_CHECK(size <= source->size && size <= destination->size,
                  "a copy goes beyond the end of a buffer");
+    }
+    void read(BufferHandle handle, uint64_t offset, std::span<std::byte> out) override {
+        const NullBuffer* buffer = state_.buffers.find(handle);
+        RL_CHECK(buffer, "a read names a buffer that does not exist");
+        RL_CHECK(offset <= buffer->size && out.size() <= buffer->size - offset,
+                 "a read goes beyond the end of its buffer");
+        std::ranges::fill(out, std::byte(0));
+    }
+    void read(TextureHandle handle, uint32_t mipLevel, uint32_t layer,
+              std::span<std::byte> out) override {
+        const NullTexture* texture = state_.textures.find(handle);
+        RL_CHECK(texture && mipLevel < texture->mipLevels && layer < texture->layers,
+                 "a read names a texture, mip level or layer that does not exist");
+        RL_CHECK(out.size() == imageBytes(*texture, mipLevel),
+                 "a texture read has not the bytes of its image");
+        std::ranges::fill(out, std::byte(0));
     }
     void execute(const CommandBuffer& commands, const ExecuteOptions& options,
                  ExecutionReport& report) override {

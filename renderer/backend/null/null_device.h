@@ -5,8 +5,8 @@
 
 namespace rushlight {
 
-/// Descriptions and handles are checked as the GL device checks them. Readbacks give images of zeroes. Each command
-/// counts as one call; hashes are zero.
+/// Descriptions and handles are checked as the GL device checks them. Reads and readbacks give zeroes. Each command
+/// but DeclareImage counts as one call; hashes are zero.
 std::unique_ptr<Device> createNullDevice();
 
 }  // namespace rushlight
