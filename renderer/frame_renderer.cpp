@@ -13,7 +13,6 @@ namespace rushlight {
 namespace {
 
 constexpr uint32_t kMaxSide = 16384;
-constexpr uint32_t kCameraLists = 3;
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
@@ -53,11 +52,13 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       overlayPass_(device),
       shadowSampler_(clampingSampler(device, false, true)),
       cubeSampler_(clampingSampler(device, true, false)),
-      linearSampler_(clampingSampler(device, false, false)) {}
+      linearSampler_(clampingSampler(device, false, false)),
+      submitted_(device.maxPendingFrames()) {}
 
 Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& output,
                                    const FrameOptions& options) {
     const auto start = std::chrono::steady_clock::now();
+    if (auto ok = device_.status(); !ok) return ok;
     if (auto ok = checkInput(input, output); !ok) return ok;
     const float aspect = float(output.target.width) / float(output.target.height);
     const auto camera = makeCamera(input.view, aspect);
@@ -66,9 +67,11 @@ Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& o
 
     commands_.clear();
     plan_.begin();
-    gatherViews(input, *camera);
+    prepareWorlds(input);
+    gatherViews(input, output, *camera);
     if (auto ok = planPasses(input, output, *camera); !ok) return ok;
     if (auto ok = plan_.compile(); !ok) return ok;
+    fillLists();
     plan_.record(jobs_, commands_);
     if (output.offscreen)
         commands_.push(Readback{plan_.texture(capturedImage_), 0, 0, output.ticket});
@@ -82,14 +85,23 @@ Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& o
     execute.target = output.target;
     execute.hashAttachments = options.hashPasses;
     execute.timers = options.timers;
-    device_.execute(commands_, execute, execution_);
+    execute.toHost = !output.offscreen;
+    SubmittedFrame& frame = submitted_.add(commands_);
+    describePasses(frame);
+    device_.execute(frame.commands, execute, frame.execution);
     fillReport(input);
+    report();
     ++frameNumber_;
     return {};
 }
 
 Result<void> FrameRenderer::validateCommands() {
-    const std::vector<Error>& faults = validator_.validate(commands_, device_);
+    // In one step, as it asks for many descriptions.
+    const std::vector<Error>* found = nullptr;
+    const auto validate = [&] { found = &validator_.validate(commands_, device_); };
+    device_.runInOrder([](void* f) { (*static_cast<decltype(validate)*>(f))(); },
+                       const_cast<void*>(static_cast<const void*>(&validate)));
+    const std::vector<Error>& faults = *found;
     if (faults.empty()) return {};
     for (const Error& fault : faults) log_(LogLevel::error, fault.text());
     forgetCaches();  // what was planned is not drawn
@@ -122,6 +134,15 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
                            glm::length(light.direction) + light.range + light.innerConeAngle +
                            light.outerConeAngle))
             return wrong("lighting", "a point or spot light is not finite.");
+    if (input.world && !worlds.find(input.world))
+        return wrong("frame", "its world is a stale handle.");
+    for (const auto& [name, value] :
+         {std::pair("lodPixelError", input.settings.lodPixelError),
+          std::pair("shadowLodTexelError", input.settings.shadowLodTexelError),
+          std::pair("smallObjectPixels", input.settings.smallObjectPixels)})
+        if (!(value >= 0) || !std::isfinite(value))
+            return wrong("settings", std::string(name) + " is " + std::to_string(value) +
+                                         "; it must be finite and not negative.");
     if (lighting.environment && !environments.find(lighting.environment))
         return wrong("lighting", "the environment is a stale handle.");
     if (!std::isfinite(glm::length(lighting.ambientSky) + glm::length(lighting.ambientGround) +
@@ -152,61 +173,70 @@ Result<void> FrameRenderer::prepareResources() {
     return materials.flush(*moved);
 }
 
-// The camera's three lists, then the cascades'.
-DrawList& FrameRenderer::viewList(uint32_t index) {
-    switch (index) {
-        case 0: return opaque_;
-        case 1: return blended_;
-        case 2: return movingEmission_;
-        default: return casters_[index - kCameraLists];
-    }
+void FrameRenderer::prepareWorlds(const FrameInput& input) {
+    const auto note = [&](InstanceWorld& world) {
+        world.noteChanges(geometry.changedMeshes(), materials.changedMaterials());
+    };
+    note(frameInstances_);
+    worlds.forEach(note);
+    visibility_.noteChanges(geometry.changedMeshes());
+    geometry.clearChanges();
+    materials.clearChanges();
+    frameInstances_.assign(input.instances, jobs_);
+    frameInstances_.prepare(geometry, materials, input.previousTransforms, jobs_);
+    frameWorlds_.worlds = {worlds.find(input.world), &frameInstances_};
+    if (InstanceWorld* kept = frameWorlds_.worlds[0]) kept->prepare(geometry, materials, {}, jobs_);
 }
 
-// Resolves instances, then culls, sorts and lists every view at the same time.
-void FrameRenderer::gatherViews(const FrameInput& input, const CameraMatrices& camera) {
-    resolveInstances(input.instances, input.previousTransforms.size(), geometry, materials,
-                     jobs_, resolved_);
+void FrameRenderer::gatherViews(const FrameInput& input, const FrameOutput& output,
+                                const CameraMatrices& camera) {
     planShadows(input, camera);
+    Visibility::Inputs in;
+    in.worlds = frameWorlds_;
+    in.geometry = &geometry;
+    in.camera = &camera;
+    in.targetWidth = output.target.width;
+    in.targetHeight = output.target.height;
+    in.settings = &input.settings;
+    in.cascades = &cascades_;
+    counts_ = visibility_.gather(in, jobs_, lists_);
+}
 
-    const bool cull = input.settings.frustumCulling;
-    const uint32_t listCount = kCameraLists + cascades_.count;
-    jobs_.forRanges(listCount, 1, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t i = begin; i < end; ++i) {
-            const auto gather = [&](DrawListKind kind, auto&& sees) {
-                viewList(i).gather(kind, input.instances, resolved_, camera.position,
-                                   camera.forward, sees);
-            };
-            const auto inCamera = [&](const vec3& center, const vec3& halfExtent) {
-                return !cull || intersects(camera.frustum, center, halfExtent);
-            };
-            const auto inCascade = [&](const vec3& center, const vec3& halfExtent) {
-                return !cull || cascades_.needs(i - kCameraLists, center, halfExtent);
-            };
-            if (i == 0) gather(DrawListKind::opaque, inCamera);
-            else if (i == 1) gather(DrawListKind::blend, inCamera);
-            else if (i == 2) gather(DrawListKind::movingEmission, inCamera);
-            else gather(DrawListKind::shadow, inCascade);
+// Writes the instance data of all lists that are drawn.
+void FrameRenderer::fillLists() {
+    std::array<DrawList*, 7> drawn{};
+    std::array<uint32_t, 8> firstJob{};
+    uint32_t count = 0;
+    const auto add = [&](DrawList& list) {
+        list.allocate(commands_);
+        const uint32_t jobs =
+            uint32_t(list.items.size() + DrawList::kItemsPerJob - 1) / DrawList::kItemsPerJob;
+        drawn[count] = &list;
+        firstJob[count + 1] = firstJob[count] + jobs;
+        ++count;
+    };
+    add(lists_.opaque);
+    add(lists_.blended);
+    add(lists_.movingEmission);
+    for (uint32_t i = 0; i < cascades_.count; ++i)
+        if (shadows_.drawnCascades >> i & 1) add(lists_.casters[i]);
+    jobs_.forRanges(firstJob[count], 1, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t job = begin; job < end; ++job) {
+            uint32_t list = 0;
+            while (job >= firstJob[list + 1]) ++list;
+            const uint32_t first = (job - firstJob[list]) * DrawList::kItemsPerJob;
+            const uint32_t size = uint32_t(drawn[list]->items.size());
+            drawn[list]->fill(commands_, frameWorlds_, first,
+                              std::min(first + DrawList::kItemsPerJob, size));
         }
     });
-    for (uint32_t i = 0; i < listCount; ++i) viewList(i).allocate(commands_);
-    jobs_.forRanges(listCount, 1, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t i = begin; i < end; ++i)
-            viewList(i).fill(commands_, input.instances, resolved_, input.previousTransforms);
-    });
-}
-
-Aabb FrameRenderer::sceneBounds() const {
-    Aabb bounds;
-    for (const ResolvedInstance& r : resolved_)
-        if (r.mesh) bounds.grow(Aabb{r.center - r.halfExtent, r.center + r.halfExtent});
-    return bounds;
 }
 
 void FrameRenderer::planShadows(const FrameInput& input, const CameraMatrices& camera) {
     sun_ = input.settings.shadows ? findSun(input.lighting) : -1;
     cascades_.count = 0;
     if (sun_ < 0) return;
-    const Aabb bounds = sceneBounds();
+    const Aabb bounds = frameWorlds_.bounds();
     if (bounds.isEmpty()) return;
     ShadowCascadeDesc desc;
     desc.lightDirection = input.lighting.directional[size_t(sun_)].direction;
@@ -267,11 +297,11 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
         ShadowPass::Inputs in;
         in.cascades = &cascades_;
         for (uint32_t i = 0; i < cascades_.count; ++i) {
-            in.casters[i] = &casters_[i];
+            in.casters[i] = &lists_.casters[i];
             in.viewUniforms[i] = uniforms(makeViewUniforms(cascades_.cascades[i]));
         }
         in.binder = binder;
-        in.data = &commands_;
+        in.world = input.world;
         in.caching = input.settings.shadowCaching;
         auto shadows = shadowPass_.add(plan_, in);
         if (!shadows) return tl::unexpected(shadows.error());
@@ -279,7 +309,7 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
         lighting->shadowMap = shadows_.map;
     }
 
-    auto gbuffer = gbufferPass_.add(plan_, {&opaque_, binder, viewUniforms, width, height});
+    auto gbuffer = gbufferPass_.add(plan_, {&lists_.opaque, binder, viewUniforms, width, height});
     if (!gbuffer) return tl::unexpected(gbuffer.error());
 
     const bool sky = lighting->features.environment &&
@@ -287,8 +317,8 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
     auto lit = lightingPass_.add(plan_, {*gbuffer, *lighting, sky, width, height});
     if (!lit) return tl::unexpected(lit.error());
 
-    ForwardPass::Inputs forwardInputs{&blended_,     &movingEmission_, binder,        viewUniforms,
-                                      *lighting, lit->radiance,    gbuffer->depth};
+    ForwardPass::Inputs forwardInputs{&lists_.blended, &lists_.movingEmission, binder, viewUniforms,
+                                      *lighting, lit->radiance, gbuffer->depth};
     auto forward = forwardPass_.add(plan_, forwardInputs);
     if (!forward) return tl::unexpected(forward.error());
 
@@ -311,8 +341,8 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
                           show == ShownImage::lighting ? lit->radiance : forward->radiance);
     if (!planned) return planned;
     if (show == ShownImage::bounds) {
-        planned = boundsPass_.add(plan_, {{&opaque_, &blended_}, resolved_, viewUniforms, target,
-                                          &commands_});
+        planned = boundsPass_.add(plan_, {{&lists_.opaque, &lists_.blended}, &frameWorlds_,
+                                          viewUniforms, target, &commands_});
         if (!planned) return planned;
     }
     return overlayPass_.add(

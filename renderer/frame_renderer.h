@@ -3,12 +3,12 @@
 
 #include "renderer/backend/device.h"
 #include "renderer/commands/validate_commands.h"
-#include "renderer/frame/draw_list.h"
 #include "renderer/frame/environment_store.h"
 #include "renderer/frame/final_target.h"
 #include "renderer/frame/frame_plan.h"
+#include "renderer/frame/host_worlds.h"
 #include "renderer/frame/light_clusters.h"
-#include "renderer/frame/shadow_cascades.h"
+#include "renderer/frame/visibility.h"
 #include "renderer/passes/bloom_pass.h"
 #include "renderer/passes/bounds_pass.h"
 #include "renderer/passes/debug_view_pass.h"
@@ -21,6 +21,7 @@
 #include "renderer/passes/shadow_pass.h"
 #include "renderer/passes/tonemap_pass.h"
 #include "renderer/renderer.h"
+#include "renderer/submitted_frames.h"
 
 #include <array>
 
@@ -42,20 +43,24 @@ public:
     TextureStore textures;
     MaterialStore materials;
     EnvironmentStore environments;
+    HostWorlds worlds;
 
+    Result<void> createMeshes(std::span<const MeshDesc> meshes, std::span<MeshHandle> handles) {
+        return geometry.create(meshes, handles, jobs_);
+    }
     Result<void> render(const FrameInput&, const FrameOutput&, const FrameOptions&);
     void forgetCaches() { shadowPass_.forget(); }
     void setValidation(bool on) { validates_ = on; }
 
-    const FrameReport& report() const { return report_; }
-    const CommandBuffer& commands() const { return commands_; }
+    const FrameReport& report();
+    const CommandBuffer& commands() const { return submitted_.newestCommands(); }
 
 private:
     Result<void> checkInput(const FrameInput&, const FrameOutput&) const;
     Result<void> prepareResources();
-    void gatherViews(const FrameInput&, const CameraMatrices&);
-    Aabb sceneBounds() const;
-    DrawList& viewList(uint32_t index);
+    void prepareWorlds(const FrameInput&);
+    void gatherViews(const FrameInput&, const FrameOutput&, const CameraMatrices&);
+    void fillLists();
     void planShadows(const FrameInput&, const CameraMatrices&);
     Result<void> planPasses(const FrameInput&, const FrameOutput&, const CameraMatrices&);
     Result<LightingBindings> bindLighting(const FrameInput&, const CameraMatrices&,
@@ -66,6 +71,7 @@ private:
                                const GBufferPass::Outputs&, const LightingBindings&);
     Result<void> validateCommands();
     void fillReport(const FrameInput&);
+    void describePasses(SubmittedFrame&) const;
     template <class T>
     BufferRange uniforms(const T& value) {
         return commands_.append(std::span<const T>(&value, 1));
@@ -91,13 +97,14 @@ private:
     CommandBuffer commands_;
     CommandValidator validator_;
     bool validates_ = false;
-    ExecutionReport execution_;
+    SubmittedFrames submitted_;
     FrameReport report_;
     std::vector<PassReport> sparePassReports_;
-    std::vector<ResolvedInstance> resolved_;
-    DrawList opaque_, blended_, movingEmission_;
-    std::array<DrawList, 4> casters_;
-    std::array<BufferRange, 4> casterUniforms_{};
+    InstanceWorld frameInstances_;  ///< of FrameInput::instances
+    FrameWorlds frameWorlds_;
+    Visibility visibility_;
+    Visibility::Lists lists_;
+    Visibility::Counts counts_;
     ShadowCascades cascades_;
     LightClusters clusters_;
     int sun_ = -1;

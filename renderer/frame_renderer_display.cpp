@@ -56,7 +56,7 @@ Result<void> FrameRenderer::planDebugView(const FrameInput& input, const FinalTa
     in.depthDecode = camera.depthDecode;
     in.orthographic = !camera.perspective;
     in.nearestDepth = std::max(camera.nearPlane, 0.01f);  // an orthographic one may be behind the eye
-    const Aabb bounds = sceneBounds();
+    const Aabb bounds = frameWorlds_.bounds();
     if (!bounds.isEmpty())
         in.farthestDepth =
             std::max(glm::dot(bounds.center() - camera.position, camera.forward) +

@@ -22,42 +22,21 @@ void resizeKeepingMemory(std::vector<PassReport>& reports, std::vector<PassRepor
 void FrameRenderer::fillReport(const FrameInput& input) {
     FrameReport& r = report_;
     r.frameNumber = frameNumber_;
-    r.instances = uint32_t(input.instances.size());
-    r.visible = opaque_.visibleCount() + blended_.visibleCount();
-    r.rejected = 0;
-    for (const ResolvedInstance& resolved : resolved_) r.rejected += !resolved.mesh;
-    r.culledFrustum = r.instances - r.rejected - r.visible;
+    r.instances = r.rejected = 0;
+    for (const InstanceWorld* world : frameWorlds_.worlds)
+        if (world) {
+            r.instances += world->count();
+            r.rejected += world->rejected();
+        }
+    r.visible = counts_.visible;
+    r.culledSmall = counts_.culledSmall;
+    r.culledOcclusion = counts_.culledOcclusion;
+    r.culledFrustum =
+        r.instances - r.rejected - r.visible - r.culledSmall - r.culledOcclusion;
     r.lights = uint32_t(input.lighting.directional.size() + input.lighting.punctual.size());
     r.lightsVisible = uint32_t(input.lighting.directional.size()) + clusters_.visibleLights;
     r.shadowViewsDrawn = shadows_.drawn;
     r.shadowViewsCached = shadows_.cached;
-    r.cpuExecuteMs = execution_.cpuMs;
-    r.glCalls = execution_.glCalls;
-    r.stateChanges = execution_.stateChanges;
-    r.uploadedBytes = execution_.uploadedBytes;
-    r.waits = execution_.waits;
-    r.draws = 0;
-    r.triangles = 0;
-    r.gpuMs = 0;
-    resizeKeepingMemory(r.passes, sparePassReports_, plan_.keptPassCount());
-    for (uint32_t i = 0; i < plan_.keptPassCount(); ++i) {
-        PassReport& pass = r.passes[i];
-        const PassExecution& done = execution_.passes[i];
-        pass.name = plan_.passName(i);
-        pass.draws = done.draws;
-        pass.triangles = done.triangles;
-        pass.cpuMs = done.cpuMs;
-        pass.gpuMs = done.gpuMs;
-        pass.hashes.assign(done.attachmentHashes.begin(), done.attachmentHashes.end());
-        pass.bytesPerPixel = plan_.passBytesPerPixel(i);
-        pass.reads.clear();
-        pass.writes.clear();
-        plan_.forEachRead(i, [&](const char* name) { pass.reads.push_back(name); });
-        plan_.forEachWrite(i, [&](const char* name) { pass.writes.push_back(name); });
-        r.draws += done.draws;
-        r.triangles += done.triangles;
-        r.gpuMs += done.gpuMs;
-    }
     if (r.rejected > 0 && !warnedRejected_) {
         warnedRejected_ = true;
         log_(LogLevel::warning,
@@ -65,6 +44,55 @@ void FrameRenderer::fillReport(const FrameInput& input) {
                  " instances are left out: their mesh or material handle is stale, their "
                  "previous transform is missing, or their transform is not finite.");
     }
+}
+
+void FrameRenderer::describePasses(SubmittedFrame& frame) const {
+    frame.frameNumber = frameNumber_;
+    resizeKeepingMemory(frame.passes, frame.sparePasses, plan_.keptPassCount());
+    for (uint32_t i = 0; i < plan_.keptPassCount(); ++i) {
+        PassReport& pass = frame.passes[i];
+        pass.name = plan_.passName(i);
+        pass.bytesPerPixel = plan_.passBytesPerPixel(i);
+        pass.reads.clear();
+        pass.writes.clear();
+        plan_.forEachRead(i, [&](const char* name) { pass.reads.push_back(name); });
+        plan_.forEachWrite(i, [&](const char* name) { pass.writes.push_back(name); });
+    }
+}
+
+const FrameReport& FrameRenderer::report() {
+    const SubmittedFrame* frame = submitted_.newestExecuted(device_.pendingFrames());
+    FrameReport& r = report_;
+    if (!frame) return r;
+    const ExecutionReport& execution = frame->execution;
+    r.executedFrame = frame->frameNumber;
+    r.cpuExecuteMs = execution.cpuMs;
+    r.glCalls = execution.glCalls;
+    r.stateChanges = execution.stateChanges;
+    r.uploadedBytes = execution.uploadedBytes;
+    r.waits = execution.waits;
+    r.queueWaits = execution.queueWaits;
+    r.synchronousCalls = execution.synchronousCalls;
+    r.draws = 0;
+    r.triangles = 0;
+    r.gpuMs = 0;
+    resizeKeepingMemory(r.passes, sparePassReports_, frame->passes.size());
+    for (size_t i = 0; i < frame->passes.size(); ++i) {
+        PassReport& pass = r.passes[i];
+        static const PassExecution kNotExecuted;  // the device was lost
+        const PassExecution& done =
+            i < execution.passes.size() ? execution.passes[i] : kNotExecuted;
+        pass = frame->passes[i];
+        pass.draws = done.draws;
+        pass.triangles = done.triangles;
+        pass.cpuMs = done.cpuMs;
+        pass.gpuMs = done.gpuMs;
+        pass.hashes.assign(done.attachmentHashes.begin(), done.attachmentHashes.end());
+        r.draws += done.draws;
+        r.triangles += done.triangles;
+        r.gpuMs += done.gpuMs;
+    }
+    return r;
 }
 
 }  // namespace rushlight

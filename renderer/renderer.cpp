@@ -2,9 +2,11 @@
 
 #include "renderer/backend/gl/gl_device.h"
 #include "renderer/backend/null/null_device.h"
+#include "renderer/backend/threaded_device.h"
 #include "renderer/frame_renderer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 
 #include <glm/gtc/packing.hpp>
@@ -12,7 +14,10 @@
 namespace rushlight {
 
 struct Renderer::State {
+    LogSink log;
     std::unique_ptr<Device> device;
+    ThreadedDevice* threaded = nullptr;  // `device`, in the render-thread mode
+    std::atomic<bool> used{false};
     SerialJobs serialJobs;
     std::unique_ptr<FrameRenderer> frames;
     uint32_t lastTicket = 0;
@@ -57,9 +62,42 @@ void convert(const ReadbackImage& from, CapturedImage& to) {
 
 }  // namespace
 
+// One call of a public function. Not good when the call is wrong use: then nothing may be done.
+class Renderer::Use {
+public:
+    explicit Use(State& state) : state_(state) {
+        if (state_.used.exchange(true)) {
+            ok_ = fail("renderer", "two threads use it at the same time.", ErrorKind::wrongUse);
+            return;
+        }
+        holds_ = true;
+        if (state_.threaded) ok_ = state_.threaded->enter();
+    }
+    ~Use() {
+        if (ok_ && state_.threaded) state_.threaded->leave();
+        if (holds_) state_.used = false;
+    }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+
+    explicit operator bool() const { return ok_.has_value(); }
+    tl::unexpected<Error> error() const { return tl::unexpected(ok_.error()); }
+    /// For functions that have no result to say it in.
+    bool goodOrLogged() const {
+        if (!ok_) state_.log(LogLevel::error, ok_.error().text());
+        return ok_.has_value();
+    }
+
+private:
+    State& state_;
+    Result<void> ok_;
+    bool holds_ = false;
+};
+
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Renderer::~Renderer() {
+    stopServing();  // nobody may
     if (state_ && state_->device) state_->device->finish();
 }
 
@@ -83,6 +121,13 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const RendererDesc& desc) {
     } else {
         state->device = createNullDevice();
     }
+    state->log = desc.log;
+    if (desc.renderThread) {
+        auto threaded =
+            std::make_unique<ThreadedDevice>(std::move(state->device), desc.framesInFlight);
+        state->threaded = threaded.get();
+        state->device = std::move(threaded);
+    }
     JobSystem& jobs = desc.jobs ? *desc.jobs : state->serialJobs;
     state->frames = std::make_unique<FrameRenderer>(*state->device, jobs, desc.log,
                                                     desc.cacheDirectory);
@@ -91,34 +136,94 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const RendererDesc& desc) {
 }
 
 Result<MeshHandle> Renderer::createMesh(const MeshDesc& desc) {
+    const Use use(*state_);
+    if (!use) return use.error();
     return state_->frames->geometry.create(desc);
 }
+Result<void> Renderer::createMeshes(std::span<const MeshDesc> meshes,
+                                    std::span<MeshHandle> handles) {
+    const Use use(*state_);
+    if (!use) return use.error();
+    return state_->frames->createMeshes(meshes, handles);
+}
 Result<void> Renderer::updateMesh(MeshHandle mesh, const MeshDesc& desc) {
+    const Use use(*state_);
+    if (!use) return use.error();
     state_->frames->forgetCaches();
     return state_->frames->geometry.update(mesh, desc);
 }
 Result<ImageHandle> Renderer::createImage(const ImageDesc& desc) {
+    const Use use(*state_);
+    if (!use) return use.error();
     return state_->frames->textures.create(desc);
 }
 Result<MaterialHandle> Renderer::createMaterial(const MaterialDesc& desc) {
+    const Use use(*state_);
+    if (!use) return use.error();
     return state_->frames->materials.create(desc);
 }
 Result<void> Renderer::updateMaterial(MaterialHandle material, const MaterialDesc& desc) {
+    const Use use(*state_);
+    if (!use) return use.error();
+    if (desc.alphaMode == AlphaMode::mask) state_->frames->forgetCaches();
     return state_->frames->materials.update(material, desc);
 }
 Result<EnvironmentHandle> Renderer::createEnvironment(const EnvironmentDesc& desc) {
+    const Use use(*state_);
+    if (!use) return use.error();
     return state_->frames->environments.create(desc);
 }
 void Renderer::destroy(MeshHandle mesh) {
+    const Use use(*state_);
+    if (!use.goodOrLogged()) return;
     state_->frames->forgetCaches();
     state_->frames->geometry.destroy(mesh);
 }
-void Renderer::destroy(ImageHandle image) { state_->frames->textures.destroy(image); }
-void Renderer::destroy(MaterialHandle material) { state_->frames->materials.destroy(material); }
-void Renderer::destroy(EnvironmentHandle e) { state_->frames->environments.destroy(e); }
+void Renderer::destroy(ImageHandle image) {
+    const Use use(*state_);
+    if (use.goodOrLogged()) state_->frames->textures.destroy(image);
+}
+void Renderer::destroy(MaterialHandle material) {
+    const Use use(*state_);
+    if (use.goodOrLogged()) state_->frames->materials.destroy(material);
+}
+void Renderer::destroy(EnvironmentHandle e) {
+    const Use use(*state_);
+    if (use.goodOrLogged()) state_->frames->environments.destroy(e);
+}
+
+WorldHandle Renderer::createWorld() {
+    const Use use(*state_);
+    return use.goodOrLogged() ? state_->frames->worlds.create() : WorldHandle{};
+}
+void Renderer::destroy(WorldHandle world) {
+    const Use use(*state_);
+    if (use.goodOrLogged()) state_->frames->worlds.destroy(world);
+}
+Result<void> Renderer::addInstances(WorldHandle world, std::span<const Instance> instances,
+                                    std::span<InstanceHandle> out) {
+    const Use use(*state_);
+    if (!use) return use.error();
+    return state_->frames->worlds.add(world, instances, out);
+}
+Result<void> Renderer::updateInstances(WorldHandle world, std::span<const InstanceHandle> handles,
+                                       std::span<const Instance> instances) {
+    const Use use(*state_);
+    if (!use) return use.error();
+    return state_->frames->worlds.update(world, handles, instances);
+}
+Result<void> Renderer::removeInstances(WorldHandle world,
+                                       std::span<const InstanceHandle> handles) {
+    const Use use(*state_);
+    if (!use) return use.error();
+    return state_->frames->worlds.remove(world, handles);
+}
 
 Result<void> Renderer::render(const FrameInput& input, const FrameTarget& target,
                               const FrameOptions& options) {
+    const Use use(*state_);
+    if (!use) return use.error();
+    if (target.width == 0 || target.height == 0) return {};
     FrameOutput output;
     output.target = target;
     return state_->frames->render(input, output, options);
@@ -127,6 +232,8 @@ Result<void> Renderer::render(const FrameInput& input, const FrameTarget& target
 Result<CaptureTicket> Renderer::renderOffscreen(const FrameInput& input, uint32_t width,
                                                 uint32_t height, CaptureKind kind,
                                                 const FrameOptions& options) {
+    const Use use(*state_);
+    if (!use) return use.error();
     FrameOutput output;
     output.target.width = width;
     output.target.height = height;
@@ -139,6 +246,8 @@ Result<CaptureTicket> Renderer::renderOffscreen(const FrameInput& input, uint32_
 }
 
 bool Renderer::takeCapture(CaptureTicket ticket, bool wait, CapturedImage& image) {
+    const Use use(*state_);
+    if (!use.goodOrLogged()) return false;
     if (!state_->device->takeReadback(ticket.value, wait, state_->readback)) return false;
     convert(state_->readback, image);
     return true;
@@ -147,13 +256,30 @@ bool Renderer::takeCapture(CaptureTicket ticket, bool wait, CapturedImage& image
 const FrameReport& Renderer::report() const { return state_->frames->report(); }
 std::string Renderer::printCommands() const { return print(state_->frames->commands()); }
 Result<uint32_t> Renderer::reloadShaders() {
+    const Use use(*state_);
+    if (!use) return use.error();
     state_->frames->forgetCaches();
     return state_->device->reloadShaders();
 }
-void Renderer::finish() { state_->device->finish(); }
+void Renderer::finish() {
+    const Use use(*state_);
+    if (use.goodOrLogged()) state_->device->finish();
+}
+
+Result<void> Renderer::serve(void (*afterFrame)(void* user), void* user) {
+    if (!state_->threaded)
+        return fail("renderer", "serve() needs RendererDesc::renderThread.", ErrorKind::wrongUse);
+    return state_->threaded->serve(afterFrame, user);
+}
+void Renderer::stopServing() {
+    if (state_->threaded) state_->threaded->stopServing();
+}
+
 std::string_view Renderer::deviceName() const { return state_->device->name(); }
 std::string_view Renderer::deviceVersion() const { return state_->device->version(); }
 std::vector<std::string> Renderer::takeDebugMessages() {
+    const Use use(*state_);
+    if (!use.goodOrLogged()) return {};
     return state_->device->takeDebugMessages();
 }
 

@@ -2,7 +2,8 @@
 // The one header an embedder includes. A guest in the host's context: no window, no thread, no global of its own;
 // no GL state is assumed at entry; at exit the framebuffer, program, vertex array, buffer, texture-unit and sampler
 // bindings are zero and the fixed state is GL's default (see the README, "Embedding").
-// A Renderer is used by one thread at a time: the one on which the host's context is current.
+// A Renderer is used by one thread at a time: the one on which the host's context is current. With
+// RendererDesc::renderThread that thread may execute frames, in serve(), while another one builds the next.
 
 #include "engine/core/jobs.h"
 #include "engine/core/log.h"
@@ -29,7 +30,8 @@ struct RendererDesc {
     LogSink log = {};
     std::string cacheDirectory = {};   ///< program binaries and prefiltered environments; empty: no cache on disk
     std::string shaderDirectory = {};  ///< read shaders from here instead of those compiled in; enables reloadShaders()
-    uint32_t framesInFlight = 2;  ///< 1 to 3
+    uint32_t framesInFlight = 2;  ///< 1 to 3: on the GPU; and as many between render() and serve()
+    bool renderThread = false;    ///< serve() will be called; see there
     bool debugOutput = false;     ///< collect GL debug messages, see takeDebugMessages()
     /// Check every frame's commands before they are executed (CommandValidator); what is wrong is render()'s Error.
     /// Nothing: where the library is a debug build.
@@ -71,7 +73,11 @@ public:
     // Resources. Creating copies the data; a bad description is an Error that names the label. Destroying while
     // frames in flight use the resource is safe.
     Result<MeshHandle> createMesh(const MeshDesc&);
-    /// New vertex positions (and normals, tangents) for a mesh with the same number of vertices.
+    /// Many at once, faster: RendererDesc::jobs makes their levels of detail. `handles` is as long as `meshes`; an
+    /// Error names the first bad one, and then none is made.
+    Result<void> createMeshes(std::span<const MeshDesc> meshes, std::span<MeshHandle> handles);
+    /// New vertex positions (and normals, tangents) for a mesh with the same number of vertices. Its triangles, and
+    /// those of its levels of detail, stay.
     Result<void> updateMesh(MeshHandle, const MeshDesc&);
     Result<ImageHandle> createImage(const ImageDesc&);
     Result<MaterialHandle> createMaterial(const MaterialDesc&);
@@ -82,19 +88,32 @@ public:
     void destroy(MaterialHandle);
     void destroy(EnvironmentHandle);
 
-    /// Builds the frame, records and executes it into the host's framebuffer. Wrong input (a size of zero, a view that
-    /// is not finite, too many lights) is an Error and nothing is drawn; single bad instances are left out, counted
-    /// in FrameReport::rejected and logged once.
+    // Worlds: instances that the renderer keeps, so that a frame costs what is seen and what changed, not what exists.
+    // An instance that was updated moves from where the last frame had it; Instance::previousTransform and
+    // kInstanceMoving are not looked at. A stale handle is an Error, and then nothing is done.
+    WorldHandle createWorld();
+    void destroy(WorldHandle);
+    /// Handles of the new instances into `out`, which is as long. A world holds at most 1,048,575.
+    Result<void> addInstances(WorldHandle, std::span<const Instance>, std::span<InstanceHandle> out);
+    Result<void> updateInstances(WorldHandle, std::span<const InstanceHandle>,
+                                 std::span<const Instance>);
+    Result<void> removeInstances(WorldHandle, std::span<const InstanceHandle>);
+
+    /// Builds the frame, records and executes it into the host's framebuffer. Wrong input (a view that is not finite,
+    /// too many lights) is an Error and nothing is drawn; single bad instances are left out, counted in
+    /// FrameReport::rejected and logged once. A target without width or height, as of a minimised window, is no error:
+    /// nothing is built, drawn or reported. Once the context is lost every frame is an Error of ErrorKind::noContext.
     Result<void> render(const FrameInput&, const FrameTarget&, const FrameOptions& = {});
 
     /// As render, into an image of the renderer's own. The ticket is good until it is taken.
     Result<CaptureTicket> renderOffscreen(const FrameInput&, uint32_t width, uint32_t height,
                                           CaptureKind, const FrameOptions& = {});
 
-    /// The captured image, or nothing while the GPU is not done (never, when `wait`).
+    /// The captured image, or nothing while the GPU is not done (never, when `wait`; but nothing from a lost context).
     bool takeCapture(CaptureTicket, bool wait, CapturedImage& image);
 
-    /// What the last render did. The GPU times are those of the last frame whose queries are back.
+    /// What the last render did. The GPU times are those of the last frame whose queries are back. Good until the next
+    /// call of render, renderOffscreen or report.
     const FrameReport& report() const;
 
     /// The commands of the last frame as text.
@@ -106,12 +125,28 @@ public:
     /// Blocks until the GPU is done.
     void finish();
 
+    // The render-thread mode. The renderer is created, and later destroyed, where its context is current; that thread
+    // calls serve() and another one everything else. render() then returns when the frame is built and handed over:
+    // with framesInFlight frames waiting, it waits (FrameReport::queueWaits). Creating and updating resources waits for
+    // the frames before it, so it belongs to loading; a warm frame has none (FrameReport::synchronousCalls).
+    // Wrong use is an Error, or logged where a function has no result: serving twice, using the renderer on two
+    // threads at once, on the serving thread, or elsewhere than there when nobody serves any more. Calls that come
+    // before the first serve() wait for it. While nobody serves, the thread of the context uses it as without the mode.
+
+    /// Executes frames as they come, until stopServing(). `afterFrame(user)` is called after each frame into the host's
+    /// framebuffer: swap buffers there. What else it does on the context is as between two frames.
+    Result<void> serve(void (*afterFrame)(void* user) = nullptr, void* user = nullptr);
+
+    /// Any thread. Lets serve() execute what was handed over and return; waits for that, except from `afterFrame`.
+    void stopServing();
+
     std::string_view deviceName() const;
     std::string_view deviceVersion() const;
     std::vector<std::string> takeDebugMessages();
 
 private:
     struct State;
+    class Use;
     explicit Renderer(std::unique_ptr<State>);
     std::unique_ptr<State> state_;
 };

@@ -3,8 +3,8 @@
 
 rushlight_packages="cmake ninja-build g++ ccache pkg-config
 libglfw3-dev libegl-dev libgl-dev libegl1 libgl1-mesa-dri libosmesa6
-libglm-dev libtinygltf-dev libdraco-dev libmeshoptimizer-dev libopenimageio-dev openimageio-tools libtbb-dev
-libhwy-dev libbenchmark-dev libimgui-dev libstb-dev libcli11-dev nlohmann-json3-dev libexpected-dev libgtest-dev libgmock-dev xvfb xauth"
+libglm-dev libtinygltf-dev libdraco-dev libmeshoptimizer-dev libopenimageio-dev openimageio-tools libtbb-dev libhwy-dev
+libimgui-dev libstb-dev libcli11-dev nlohmann-json3-dev libexpected-dev libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth"
 
 rushlight_install() {
     missing=""

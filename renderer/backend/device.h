@@ -29,6 +29,8 @@ struct ExecutionReport {
     uint32_t stateChanges = 0;   ///< calls that bind or set state, after redundant ones are dropped
     uint64_t uploadedBytes = 0;
     uint32_t waits = 0;          ///< times the CPU waited for the GPU to be done with a frame's memory
+    uint32_t queueWaits = 0;     ///< times execute() waited because too many frames were pending
+    uint32_t synchronousCalls = 0;  ///< that waited for the serving thread since the last execute()
     double cpuMs = 0;
 };
 
@@ -37,6 +39,7 @@ struct ExecuteOptions {
     bool hashAttachments = false;  ///< slow: reads every pass's attachments back
     bool timers = true;
     bool debugGroups = true;
+    bool toHost = true;  ///< draws into the host's framebuffer, which shows it next
 };
 
 /// A texture's texels, rows from v = 0, tightly packed in `format`.
@@ -77,7 +80,16 @@ public:
 
     /// Runs a frame: copies its data block into this frame's slot of a persistently mapped ring (waiting, and counting
     /// the wait, if the GPU still uses it), then its commands. `report` keeps its memory from frame to frame.
+    /// A device may return before it has executed the frame: commands and report must stay, untouched, while
+    /// pendingFrames() counts them. On a lost device nothing happens.
     virtual void execute(const CommandBuffer&, const ExecuteOptions&, ExecutionReport& report) = 0;
+
+    virtual uint32_t maxPendingFrames() const { return 0; }
+    /// Frames that execute() has taken and that are not executed, the newest ones. The reports of others are complete.
+    virtual uint32_t pendingFrames() const { return 0; }
+
+    /// An Error once the device is lost (its context was reset): everything must be made again on a new one.
+    virtual Result<void> status() const { return {}; }
 
     /// The image of a Readback command with this ticket; false while the GPU is not done, unless `wait`.
     virtual bool takeReadback(uint32_t ticket, bool wait, ReadbackImage& image) = 0;
@@ -85,6 +97,9 @@ public:
     /// Compiles pipelines again whose shader sources changed. On an error the last good program stays in use and
     /// the error is returned. Returns the number of programs replaced.
     virtual Result<uint32_t> reloadShaders() = 0;
+
+    /// Runs `f(closure)` where the device's calls are made, in order with them; returns when that is done.
+    virtual void runInOrder(void (*f)(void* closure), void* closure) { f(closure); }
 
     /// Blocks until the GPU has done everything.
     virtual void finish() = 0;

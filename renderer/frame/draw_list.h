@@ -1,30 +1,51 @@
 #pragma once
-// From instances to multi-draws: what a view sees, sorted, grouped and written into the frame's data block.
+// The draws of one view: sorted, merged into instanced draws and multi-draw batches, and their data for the GPU.
 
 #include "renderer/commands/command_buffer.h"
 #include "renderer/frame/geometry_store.h"
+#include "renderer/frame/instance_world.h"
 #include "renderer/frame/material_store.h"
-#include "renderer/frame/view_math.h"
 
 #include <span>
 #include <vector>
 
 namespace rushlight {
 
-/// An instance with its handles resolved and its bounds in the world; `mesh` is null for one that is left out.
-struct ResolvedInstance {
-    vec3 center{0};
-    vec3 halfExtent{0};
-    const GpuMesh* mesh = nullptr;
-    uint32_t surfaceFlags = 0;
-    uint32_t textureSet = 0;
-    uint32_t materialTexel = 0;
+/// An object that a view draws, and how.
+struct VisibleItem {
+    uint64_t key = 0;     ///< see opaqueKey, shadowKey and blendKey
+    uint32_t object = 0;  ///< of FrameWorlds; decides between equal keys
+    uint16_t flags = 0;   ///< surface flags of the program that draws it
+    uint8_t lod = 0;      ///< of GpuMesh::lods
+    uint8_t reserved = 0;
+};
+static_assert(sizeof(VisibleItem) == 16);
+
+/// The worlds of a frame: the host's, which may be none, and that of FrameInput::instances.
+///
+///     object    31      30           0
+///            [ world ][    slot      ]
+struct FrameWorlds {
+    std::array<InstanceWorld*, 2> worlds{};
+
+    static uint32_t object(uint32_t world, uint32_t slot) { return world << 31 | slot; }
+    InstanceWorld& world(uint32_t object) const { return *worlds[object >> 31]; }
+    InstanceRecord& record(uint32_t object) const {
+        return world(object).record(object & 0x7fffffff);
+    }
+    /// Of an item that comes soon; nothing beyond the end.
+    void prefetch(std::span<const VisibleItem> items, size_t index) const {
+        constexpr size_t kAhead = 12;
+        if (index + kAhead >= items.size()) return;
+        const uint32_t object = items[index + kAhead].object;
+        world(object).prefetch(object & 0x7fffffff);
+    }
+    Aabb bounds() const;  ///< of everything; empty when there is nothing
 };
 
-/// Looks up handles, checks transforms and bounds them, on all threads. `out` is as long as `instances`.
-void resolveInstances(std::span<const Instance> instances, size_t previousTransformCount,
-                      const GeometryStore& geometry, const MaterialStore& materials,
-                      JobSystem& jobs, std::vector<ResolvedInstance>& out);
+uint64_t opaqueKey(uint32_t flags, uint32_t textureSet, uint32_t mesh, uint32_t lod, float depth);
+uint64_t shadowKey(uint32_t flags, uint32_t textureSet, uint32_t mesh, uint32_t lod);
+uint64_t blendKey(float depth);
 
 /// Draws that share a pipeline, textures and vertex streams: one multi-draw.
 struct DrawBatch {
@@ -38,43 +59,22 @@ struct DrawBatch {
     PipelineHandle pipeline;  ///< set by the pass
 };
 
-enum class DrawListKind : uint8_t {
-    opaque,  ///< sorted by state, then front to back
-    blend,   ///< back to front
-    shadow,  ///< casters, materials ignored unless alpha-masked
-    movingEmission,  ///< opaque surfaces that move and give off light
-};
-
-/// What one view draws. Memory is kept from frame to frame.
+/// What one view draws. Memory is kept from frame to frame. Lists may be worked on at the same time.
 class DrawList {
 public:
-    /// Culls and sorts; touches nothing shared, so views can be gathered at the same time.
-    /// `sees(center, halfExtent)` says whether a box is in the view.
-    template <class Sees>
-    void gather(DrawListKind kind, std::span<const Instance> instances,
-                std::span<const ResolvedInstance> resolved, const vec3& eye, const vec3& forward,
-                Sees&& sees) {
-        begin(kind);
-        for (uint32_t i = 0; i < resolved.size(); ++i) {
-            const ResolvedInstance& r = resolved[i];
-            if (!r.mesh || !belongs(instances[i].flags, r.surfaceFlags)) continue;
-            if (sees(r.center, r.halfExtent)) add(i, instances[i], r, eye, forward);
-        }
-        end(resolved);
-    }
+    static constexpr uint32_t kItemsPerJob = 512;
 
-    /// Makes room in the data block, then, separately so that lists can be filled at the same time, fills it.
+    std::vector<VisibleItem> items;
+
+    /// Sorts the items and forms batches. `casters`: materials only matter where alpha cuts.
+    void arrange(const FrameWorlds& worlds, const GeometryStore& geometry, bool casters);
+
+    /// Of which objects are drawn in which state, and how. After arrange().
+    uint64_t contentHash() const { return contentHash_; }
+
+    /// Makes room in the data block; then fill() writes a range of the items' data, from any thread.
     void allocate(CommandBuffer& buffer);
-    void fill(CommandBuffer& buffer, std::span<const Instance> instances,
-              std::span<const ResolvedInstance> resolved,
-              std::span<const mat4x3> previousTransforms);
-
-    uint32_t visibleCount() const { return uint32_t(items_.size()); }
-    template <class F>
-    void forEachVisible(F&& f) const {
-        for (const Item& item : items_) f(item.instance);
-    }
-    uint64_t contentHash(const CommandBuffer& buffer) const;
+    void fill(CommandBuffer& buffer, const FrameWorlds& worlds, uint32_t begin, uint32_t end) const;
 
     std::vector<DrawBatch> batches;
     BufferRange instanceRange;
@@ -82,22 +82,11 @@ public:
     BufferRange commandRange;
 
 private:
-    struct Item {
-        uint64_t key;
-        uint32_t instance;
-        uint32_t flags;
-    };
-    void begin(DrawListKind kind);
-    bool belongs(uint32_t instanceFlags, uint32_t surfaceFlags) const;
-    void add(uint32_t index, const Instance& instance, const ResolvedInstance& resolved,
-             const vec3& eye, const vec3& forward);
-    void end(std::span<const ResolvedInstance> resolved);
-    void formBatches(std::span<const ResolvedInstance> resolved);
-
-    DrawListKind kind_ = DrawListKind::opaque;
-    std::vector<Item> items_;
+    std::vector<VisibleItem> scratch_;
     std::vector<DrawIndexedCommand> draws_;
+    std::vector<uint32_t> positions_;  ///< by item: its place in the stream of those that move, or of the others
     uint32_t stillCount_ = 0, movingCount_ = 0;
+    uint64_t contentHash_ = 0;
 };
 
 /// Binds a batch's streams and textures and issues its multi-draw.

@@ -16,6 +16,8 @@ using MeshHandle = Handle<struct MeshTag>;
 using ImageHandle = Handle<struct ImageTag>;
 using MaterialHandle = Handle<struct MaterialTag>;
 using EnvironmentHandle = Handle<struct EnvironmentTag>;
+using WorldHandle = Handle<struct WorldTag>;
+using InstanceHandle = Handle<struct InstanceTag>;  ///< within its world
 
 // ---- resources ---------------------------------------------------------------------------------------------------
 
@@ -29,6 +31,7 @@ struct MeshDesc {
     std::span<const vec2> uv1;
     std::span<const vec4> colors;  ///< linear, multiply the base colour
     std::span<const uint32_t> indices;  ///< three a triangle, counter-clockwise is the front
+    bool lods = true;  ///< make coarser levels, drawn where the difference is too small to see (renderer/frame/mesh_lods.h)
 };
 
 /// 8-bit RGBA, rows from the top, tightly packed; copied. Mip levels are made.
@@ -184,6 +187,11 @@ struct FrameSettings {
     bool dither = true;
     ShownImage show = ShownImage::frame;
     bool frustumCulling = true;
+    bool occlusionCulling = true;  ///< leave out what opaque objects hide, as far as the CPU can tell
+    /// Simplified meshes are shown where their surface is off by at most this many pixels; 0: never.
+    float lodPixelError = 0.3f;
+    float shadowLodTexelError = 0.3f;  ///< as lodPixelError, in texels of the shadow map
+    float smallObjectPixels = 1;    ///< objects that are smaller across, in pixels or shadow texels, are left out; 0: none
 };
 
 /// A run of overlay triangles with one scissor rectangle (pixels from the top left).
@@ -204,7 +212,8 @@ struct Overlay {
 
 struct FrameInput {
     View view;
-    std::span<const Instance> instances;
+    WorldHandle world;                    ///< instances that the renderer keeps; zero: none
+    std::span<const Instance> instances;  ///< others, for this frame; equal to the last frame's they cost a comparison
     std::span<const mat4x3> previousTransforms;
     Lighting lighting;
     FrameSettings settings;

@@ -19,9 +19,12 @@ struct PassReport {
     std::vector<uint64_t> hashes;  ///< as `writes`, when asked for
 };
 
-/// The numbers behind `--stats`; the schema is in the README.
+/// The numbers behind `--stats`; the schema is in the README. In the render-thread mode (RendererDesc::renderThread)
+/// the frame `frameNumber` may not be executed yet; then what executing gives (cpuExecuteMs, gpuMs, draws, triangles,
+/// glCalls, stateChanges, uploadedBytes, the waits, synchronousCalls, passes) is of the newest frame that is.
 struct FrameReport {
     uint64_t frameNumber = 0;
+    uint64_t executedFrame = 0;  ///< `frameNumber`, or the newest that is executed
     double cpuBuildMs = 0;
     double cpuExecuteMs = 0;
     double gpuMs = 0;
@@ -29,6 +32,7 @@ struct FrameReport {
     uint32_t visible = 0;  ///< from the camera
     uint32_t culledFrustum = 0;
     uint32_t culledOcclusion = 0;
+    uint32_t culledSmall = 0;  ///< smaller than FrameSettings::smallObjectPixels
     uint32_t rejected = 0;  ///< instances with a stale handle or a transform that is not finite
     uint32_t draws = 0;
     uint64_t triangles = 0;
@@ -39,7 +43,9 @@ struct FrameReport {
     uint32_t lightsVisible = 0;
     uint32_t shadowViewsDrawn = 0;
     uint32_t shadowViewsCached = 0;
-    uint32_t waits = 0;
+    uint32_t waits = 0;       ///< of the CPU for the GPU
+    uint32_t queueWaits = 0;  ///< of render() for the serving thread, all frames in flight being taken
+    uint32_t synchronousCalls = 0;  ///< of the frame and what was created before it to the serving thread; warm: none
     std::vector<PassReport> passes;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rushlight {
 namespace {
@@ -72,22 +73,90 @@ GeometryStore::~GeometryStore() {
     if (indices_) device_.destroy(indices_);
 }
 
-Result<MeshHandle> GeometryStore::create(const MeshDesc& desc) {
-    if (auto ok = check(desc); !ok) return tl::unexpected(ok.error());
-    GpuMesh mesh;
+// What can be made of a description on any thread.
+struct GeometryStore::Prepared {
+    GpuMesh mesh;  // with no place yet
+    std::vector<vec3> madeNormals;
+    LodChain chain;
+    CpuMesh cpu;
+};
+
+GeometryStore::Prepared GeometryStore::prepare(const MeshDesc& desc) {
+    Prepared out;
+    GpuMesh& mesh = out.mesh;
     mesh.extended = !desc.uv1.empty() || !desc.colors.empty();
     mesh.hasTangents = !desc.tangents.empty();
     mesh.vertexCount = uint32_t(desc.positions.size());
     mesh.indexCount = uint32_t(desc.indices.size());
     for (const vec3& p : desc.positions) mesh.bounds.grow(p);
     mesh.closed = isClosed(desc.positions, desc.indices);
-    mesh.firstVertex = families_[mesh.extended].vertices.allocate(mesh.vertexCount);
-    mesh.firstIndex = indexRanges_.allocate(mesh.indexCount);
+    MeshDesc withNormals = desc;
+    if (desc.normals.empty()) withNormals.normals = out.madeNormals = makeNormals(desc);
+    if (desc.lods) {
+        out.chain = makeLods(withNormals, mesh.closed);
+    } else {
+        out.chain.lods[0].indexCount = mesh.indexCount;
+    }
+    mesh.movedCount = uint32_t(out.chain.moved.size());
+    for (const MovedVertex& v : out.chain.moved)
+        mesh.bounds.grow(desc.positions[v.source] + v.offset);
+    out.cpu = makeCpuMesh(desc.positions, desc.indices, out.chain);
+    return out;
+}
+
+Result<MeshHandle> GeometryStore::insert(Prepared&& prepared, const MeshDesc& desc) {
+    GpuMesh& mesh = prepared.mesh;
+    const LodChain& chain = prepared.chain;
+    mesh.firstVertex = families_[mesh.extended].vertices.allocate(
+        mesh.vertexCount + mesh.movedCount);
+    mesh.firstIndex =
+        indexRanges_.allocate(uint32_t(desc.indices.size() + chain.indices.size()));
+    mesh.lods = chain.lods;
+    mesh.lodCount = chain.count;
+    for (uint32_t i = 0; i < chain.count; ++i) mesh.lods[i].firstIndex += mesh.firstIndex;
     if (auto ok = reserveVertices(mesh.extended); !ok) return tl::unexpected(ok.error());
     if (auto ok = reserveIndices(); !ok) return tl::unexpected(ok.error());
-    upload(mesh, desc);
+    MeshDesc withNormals = desc;
+    if (desc.normals.empty()) withNormals.normals = prepared.madeNormals;
+    upload(mesh, withNormals, chain.moved);
     device_.write(indices_, uint64_t(mesh.firstIndex) * 4, std::as_bytes(desc.indices));
-    return meshes_.insert(mesh);
+    if (!chain.indices.empty())
+        device_.write(indices_, uint64_t(mesh.lods[1].firstIndex) * 4,
+                      std::as_bytes(std::span(chain.indices)));
+    const MeshHandle handle = meshes_.insert(mesh);
+    if (sides_.size() <= handle.index()) sides_.resize(handle.index() + 1);
+    sides_[handle.index()] = {std::move(prepared.cpu), std::move(prepared.chain.moved), false};
+    noteChange(handle);
+    return handle;
+}
+
+Result<MeshHandle> GeometryStore::create(const MeshDesc& desc) {
+    if (auto ok = check(desc); !ok) return tl::unexpected(ok.error());
+    return insert(prepare(desc), desc);
+}
+
+Result<void> GeometryStore::create(std::span<const MeshDesc> descs, std::span<MeshHandle> handles,
+                                   JobSystem& jobs) {
+    if (descs.size() != handles.size())
+        return fail("meshes", "there are " + countText(descs.size()) + " descriptions but room for " +
+                                  countText(handles.size()) + " handles.",
+                    ErrorKind::wrongUse);
+    for (const MeshDesc& desc : descs)
+        if (auto ok = check(desc); !ok) return ok;
+    std::vector<Prepared> prepared(descs.size());
+    jobs.forRanges(uint32_t(descs.size()), 1, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t i = begin; i < end; ++i) prepared[i] = prepare(descs[i]);
+    });
+    for (size_t i = 0; i < descs.size(); ++i) {
+        const auto made = insert(std::move(prepared[i]), descs[i]);
+        prepared[i] = {};
+        if (!made) {
+            for (size_t k = 0; k < i; ++k) destroy(std::exchange(handles[k], {}));
+            return tl::unexpected(made.error());
+        }
+        handles[i] = *made;
+    }
+    return {};
 }
 
 Result<void> GeometryStore::update(MeshHandle handle, const MeshDesc& desc) {
@@ -104,43 +173,75 @@ Result<void> GeometryStore::update(MeshHandle handle, const MeshDesc& desc) {
     mesh->bounds = {};
     for (const vec3& p : desc.positions) mesh->bounds.grow(p);
     mesh->closed = false;  // vertices that were in one place may have parted; to check costs more than it saves
-    upload(*mesh, desc);
+    Side& side = sides_[handle.index()];
+    for (MovedVertex& v : side.moved) v.offset = vec3(0);
+    upload(*mesh, desc, side.moved);
+    side.cpu.movePositions(desc.positions);
+    noteChange(handle);
     return {};
 }
 
 void GeometryStore::destroy(MeshHandle handle) {
     const GpuMesh* mesh = meshes_.find(handle);
     if (!mesh) return;
-    families_[mesh->extended].vertices.release(mesh->firstVertex, mesh->vertexCount);
-    indexRanges_.release(mesh->firstIndex, mesh->indexCount);
+    families_[mesh->extended].vertices.release(mesh->firstVertex,
+                                               mesh->vertexCount + mesh->movedCount);
+    const MeshLod& last = mesh->lods[mesh->lodCount - 1];
+    indexRanges_.release(mesh->firstIndex, last.firstIndex + last.indexCount - mesh->firstIndex);
+    noteChange(handle);
     meshes_.erase(handle);
+    sides_[handle.index()] = {};
 }
 
-void GeometryStore::upload(const GpuMesh& mesh, const MeshDesc& desc) {
+const CpuMesh* GeometryStore::cpuMesh(MeshHandle handle) const {
+    if (!meshes_.find(handle)) return nullptr;
+    const CpuMesh& cpu = sides_[handle.index()].cpu;
+    return cpu.lodCount > 0 ? &cpu : nullptr;
+}
+
+void GeometryStore::noteChange(MeshHandle handle) {
+    if (!std::exchange(sides_[handle.index()].changed, true)) changes_.push_back(handle);
+}
+
+void GeometryStore::clearChanges() {
+    for (MeshHandle handle : changes_) sides_[handle.index()].changed = false;
+    changes_.clear();
+}
+
+void GeometryStore::upload(const GpuMesh& mesh, const MeshDesc& desc,
+                           std::span<const MovedVertex> moved) {
     std::vector<vec3> made;
     std::span<const vec3> normals = desc.normals;
     if (normals.empty()) normals = made = makeNormals(desc);
 
     const VertexStreams& streams = families_[mesh.extended].streams;
-    device_.write(streams.positions, uint64_t(mesh.firstVertex) * sizeof(VertexPosition),
-                  std::as_bytes(desc.positions));
-    std::vector<VertexSurface> surfaces(mesh.vertexCount);
-    for (uint32_t i = 0; i < mesh.vertexCount; ++i) {
-        surfaces[i].frame = packTangentFrame(
-            normals[i], desc.tangents.empty() ? vec4(0) : desc.tangents[i]);
-        surfaces[i].uv0 = desc.uv0.empty() ? vec2(0) : desc.uv0[i];
-    }
-    device_.write(streams.surfaces, uint64_t(mesh.firstVertex) * sizeof(VertexSurface),
-                  std::as_bytes(std::span(surfaces)));
+    // The mesh's vertices and those that follow them.
+    const auto write = [&](BufferHandle stream, auto&& valueOf) {
+        std::vector<decltype(valueOf(0u))> values(mesh.vertexCount + moved.size());
+        for (uint32_t i = 0; i < mesh.vertexCount; ++i) values[i] = valueOf(i);
+        for (size_t i = 0; i < moved.size(); ++i)
+            values[mesh.vertexCount + i] = values[moved[i].source];
+        if constexpr (std::is_same_v<decltype(valueOf(0u)), vec3>)
+            for (size_t i = 0; i < moved.size(); ++i)
+                values[mesh.vertexCount + i] += moved[i].offset;
+        device_.write(stream, uint64_t(mesh.firstVertex) * sizeof values[0],
+                      std::as_bytes(std::span(values)));
+    };
+    static_assert(sizeof(VertexPosition) == sizeof(vec3));
+    write(streams.positions, [&](uint32_t i) { return desc.positions[i]; });
+    write(streams.surfaces, [&](uint32_t i) {
+        return VertexSurface{
+            packTangentFrame(normals[i], desc.tangents.empty() ? vec4(0) : desc.tangents[i]),
+            desc.uv0.empty() ? vec2(0) : desc.uv0[i]};
+    });
     if (!mesh.extended) return;
-    std::vector<VertexExtra> extras(mesh.vertexCount);
-    for (uint32_t i = 0; i < mesh.vertexCount; ++i) {
-        extras[i].uv1 = desc.uv1.empty() ? vec2(0) : desc.uv1[i];
+    write(streams.extras, [&](uint32_t i) {
+        VertexExtra extra;
+        extra.uv1 = desc.uv1.empty() ? vec2(0) : desc.uv1[i];
         const vec4 color = desc.colors.empty() ? vec4(1) : desc.colors[i];
-        for (int c = 0; c < 4; ++c) extras[i].color[size_t(c)] = toUnorm16(color[c]);
-    }
-    device_.write(streams.extras, uint64_t(mesh.firstVertex) * sizeof(VertexExtra),
-                  std::as_bytes(std::span(extras)));
+        for (int c = 0; c < 4; ++c) extra.color[size_t(c)] = toUnorm16(color[c]);
+        return extra;
+    });
 }
 
 Result<void> GeometryStore::grow(BufferHandle& buffer, const char* label, BufferUsage usage,

@@ -97,7 +97,8 @@ Result<MaterialHandle> MaterialStore::create(const MaterialDesc& desc) {
     stored.desc.label = {};
     stored.gpu.surfaceFlags = surfaceFlags(desc);
     dirty_ = true;
-    return materials_.insert(std::move(stored));
+    changed_.push_back(materials_.insert(std::move(stored)));
+    return changed_.back();
 }
 
 Result<void> MaterialStore::update(MaterialHandle handle, const MaterialDesc& desc) {
@@ -110,11 +111,13 @@ Result<void> MaterialStore::update(MaterialHandle handle, const MaterialDesc& de
     stored->desc.label = {};
     stored->gpu.surfaceFlags = surfaceFlags(desc);
     dirty_ = true;
+    changed_.push_back(handle);
     return {};
 }
 
 void MaterialStore::destroy(MaterialHandle handle) {
-    if (handle != default_) materials_.erase(handle);
+    if (handle == default_ || !materials_.erase(handle)) return;
+    changed_.push_back(handle);
 }
 
 const GpuMaterial* MaterialStore::find(MaterialHandle handle) const {
@@ -175,7 +178,11 @@ Result<void> MaterialStore::flush(bool imagesMoved) {
     if (!dirty_ && !imagesMoved) return {};
     texels_.clear();
     sets_.resize(1);
-    materials_.forEach([&](MaterialHandle, Stored& stored) { pack(stored); });
+    materials_.forEach([&](MaterialHandle handle, Stored& stored) {
+        const GpuMaterial before = stored.gpu;
+        pack(stored);
+        if (stored.gpu != before) changed_.push_back(handle);
+    });
     const uint64_t size = texels_.size() * sizeof(uvec4);
     if (size > bufferSize_) {
         if (buffer_) device_.destroy(buffer_);

@@ -23,6 +23,7 @@ struct GpuMaterial {
     uint32_t surfaceFlags = 0;  ///< of surface_variant.h, from the material alone
     uint32_t texel = 0;         ///< where its MaterialData begins
     uint32_t textureSet = 0;
+    bool operator==(const GpuMaterial&) const = default;
 };
 
 class MaterialStore {
@@ -44,6 +45,10 @@ public:
     const TextureSet& textureSet(uint32_t index) const { return sets_[index]; }
     BufferRange buffer() const;
 
+    /// Created, destroyed, or with other GpuMaterial contents since clearChanges(); complete after flush().
+    std::span<const MaterialHandle> changedMaterials() const { return changed_; }
+    void clearChanges() { changed_.clear(); }
+
 private:
     struct Stored {
         MaterialDesc desc;  ///< label left empty: it is the caller's memory
@@ -57,6 +62,7 @@ private:
     TextureStore& textures_;
     Pool<Stored, MaterialTag> materials_;
     MaterialHandle default_;
+    std::vector<MaterialHandle> changed_;
     std::vector<uvec4> texels_;
     std::vector<TextureSet> sets_;
     BufferHandle buffer_;

@@ -46,9 +46,17 @@ constexpr float kReachTexels = 6;
 
 }  // namespace
 
-bool ShadowCascades::needs(uint32_t index, const vec3& center, const vec3& halfExtent) const {
+void ShadowCascades::addVolume(uint32_t index, const Frustum& camera, CullVolume& volume) const {
     const ShadowCascade& cascade = cascades[index];
-    if (!intersects(cascade.frustum, center, halfExtent)) return false;
+    volume.add(cascade.frustum);
+    if (cascade.followsCamera)
+        addSwept(volume, camera, glm::normalize(vec3(rows[2])),
+                 kReachTexels * cascade.metresPerTexel);
+}
+
+bool ShadowCascades::isFinerElsewhere(uint32_t index, const vec3& center,
+                                      const vec3& halfExtent) const {
+    const ShadowCascade& cascade = cascades[index];
     const vec3 x(rows[0]), y(rows[1]);
     const vec2 middle(glm::dot(x, center), glm::dot(y, center));
     const vec2 reach = vec2(glm::dot(glm::abs(x), halfExtent), glm::dot(glm::abs(y), halfExtent)) +
@@ -58,9 +66,9 @@ bool ShadowCascades::needs(uint32_t index, const vec3& center, const vec3& halfE
         const vec2 low = (middle - reach) * finer.uvPerMetre + finer.uvOffset;
         const vec2 high = (middle + reach) * finer.uvPerMetre + finer.uvOffset;
         const float rim = kRimTexels / float(resolution);
-        if (low.x > rim && low.y > rim && high.x < 1 - rim && high.y < 1 - rim) return false;
+        if (low.x > rim && low.y > rim && high.x < 1 - rim && high.y < 1 - rim) return true;
     }
-    return true;
+    return false;
 }
 
 ShadowCascades makeShadowCascades(const CameraMatrices& camera, const ShadowCascadeDesc& desc) {
@@ -98,10 +106,11 @@ ShadowCascades makeShadowCascades(const CameraMatrices& camera, const ShadowCasc
         const float farDepth = i + 1 == result.count ? limit : 0.7f * logarithmic + 0.3f * even;
 
         Sphere sphere = sphereAround(camera, nearest, farDepth);
-        if (sphere.radius > sceneRadius) sphere = {desc.sceneBounds.center(), sceneRadius};
+        ShadowCascade& cascade = result.cascades[i];
+        cascade.followsCamera = sphere.radius <= sceneRadius;
+        if (!cascade.followsCamera) sphere = {desc.sceneBounds.center(), sceneRadius};
         const float radius = roundUpRadius(sphere.radius);
 
-        ShadowCascade& cascade = result.cascades[i];
         // One texel of margin on each side, as the centre is rounded to texels.
         cascade.metresPerTexel = 2 * radius / float(desc.resolution - 2);
         const float side = cascade.metresPerTexel * float(desc.resolution);

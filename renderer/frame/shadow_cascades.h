@@ -3,7 +3,7 @@
 // camera's slice, so that its size does not change as the camera turns, and moved by whole texels, so that shadows do
 // not shimmer as it moves (Valient, "Stable Rendering of Cascaded Shadow Maps", ShaderX6, 2008).
 
-#include "renderer/frame/view_math.h"
+#include "renderer/frame/box_block.h"
 
 namespace rushlight {
 
@@ -13,6 +13,7 @@ struct ShadowCascade {
     float uvPerMetre = 0;
     vec2 uvOffset{0};
     float metresPerTexel = 0;
+    bool followsCamera = true;  ///< false: it covers the whole scene, wherever the camera is
 };
 
 struct ShadowCascades {
@@ -22,9 +23,13 @@ struct ShadowCascades {
     vec4 rows[3];
     std::array<ShadowCascade, 4> cascades;
 
-    /// Whether a box has to be drawn into a cascade: it is in its frustum, and not so far inside of a finer one that all
-    /// receivers which it could shade use that instead. All cascades look down the same axis, so that is exact.
-    bool needs(uint32_t cascade, const vec3& boxCenter, const vec3& boxHalfExtent) const;
+    /// Whether a box lies so far inside of a finer cascade that all receivers which it could shade use that instead.
+    /// All cascades look down the same axis, so that is exact.
+    bool isFinerElsewhere(uint32_t cascade, const vec3& boxCenter, const vec3& boxHalfExtent) const;
+
+    /// Adds the planes between which casters of a cascade lie: its own, and, if it follows the camera, those of what can
+    /// shade anything that the camera sees. One that covers the scene keeps its casters, and so its map, as the camera turns.
+    void addVolume(uint32_t cascade, const Frustum& camera, CullVolume& volume) const;
 };
 
 struct ShadowCascadeDesc {

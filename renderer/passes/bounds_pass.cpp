@@ -36,11 +36,11 @@ Result<void> BoundsPass::add(FramePlan& plan, const Inputs& inputs) {
     }
     boxes_.clear();
     for (const DrawList* list : inputs.lists)
-        list->forEachVisible([&](uint32_t instance) {
-            const ResolvedInstance& r = inputs.resolved[instance];
-            boxes_.push_back(vec4(r.center, 0));
-            boxes_.push_back(vec4(r.halfExtent, 0));
-        });
+        for (const VisibleItem& item : list->items) {
+            const Aabb& box = inputs.worlds->record(item.object).box;
+            boxes_.push_back(vec4(box.center(), 0));
+            boxes_.push_back(vec4(box.halfExtent(), 0));
+        }
     if (boxes_.empty()) return {};
     PassTargets::Color color;
     plan.addPass<Payload>("bounds", inputs.target.targets(color, LoadOp::keep),

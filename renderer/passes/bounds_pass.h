@@ -10,7 +10,7 @@ class BoundsPass {
 public:
     struct Inputs {
         const DrawList* lists[2] = {};  ///< whose instances are shown
-        std::span<const ResolvedInstance> resolved;
+        const FrameWorlds* worlds = nullptr;
         BufferRange viewUniforms;
         FinalTarget target;  ///< keeps what it holds
         CommandBuffer* data = nullptr;

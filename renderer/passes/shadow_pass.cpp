@@ -68,7 +68,7 @@ Result<ShadowPass::Outputs> ShadowPass::add(FramePlan& plan, const Inputs& input
         {"shadow-map", Format::depth32f, resolution_, resolution_, layers_}, map_);
     for (uint32_t i = 0; i < cascades.count; ++i) {
         DrawList& casters = *inputs.casters[i];
-        const uint64_t hash = casters.contentHash(*inputs.data) ^
+        const uint64_t hash = casters.contentHash() ^ mixBits(inputs.world.value) ^
                               hashBytes(&cascades.cascades[i].clipFromWorld, sizeof(mat4), 7);
         if (inputs.caching && hash == hashes_[i]) {
             ++out.cached;
@@ -76,6 +76,7 @@ Result<ShadowPass::Outputs> ShadowPass::add(FramePlan& plan, const Inputs& input
         }
         hashes_[i] = hash;
         ++out.drawn;
+        out.drawnCascades |= 1u << i;
         if (auto ok = pipelines_.assign(casters); !ok) return tl::unexpected(ok.error());
         PassTargets targets;
         targets.depth = {out.map, LoadOp::clear, i};

@@ -17,11 +17,12 @@ public:
         std::array<DrawList*, 4> casters{};
         std::array<BufferRange, 4> viewUniforms{};
         DrawBinder binder;
-        const CommandBuffer* data = nullptr;  ///< holds the casters' instances, already filled
+        WorldHandle world;  ///< that the casters come from
         bool caching = true;
     };
     struct Outputs {
         ImageId map;  ///< D32F array, reversed: 1 nearest to the light
+        uint32_t drawnCascades = 0;  ///< as bits; the others' casters need no data
         uint32_t drawn = 0;
         uint32_t cached = 0;
     };

@@ -33,8 +33,8 @@ struct SceneBridge::State {
     }
 
     Result<void> addInstances();
-    Result<void> addInstance(const scene::Drawable&);
-    Result<MeshHandle> findMesh(const scene::Drawable&);
+    Result<void> addInstance(const scene::Drawable&, MeshHandle);
+    Result<void> createMeshes();
     Result<void> deform(size_t instance);
     void move(size_t instance, const mat4x3& to);
     Result<void> setPose(scene::Pose);
@@ -42,8 +42,8 @@ struct SceneBridge::State {
     Renderer& renderer;
     const assets::Model& model;
     MaterialUploads materials;
-    std::vector<MeshHandle> meshes;        ///< all that are to be destroyed
-    std::vector<MeshHandle> sharedMeshes;  ///< by geometry; zero until used
+    std::vector<MeshHandle> meshes;    ///< all that are to be destroyed
+    std::vector<uint32_t> meshOf;      ///< as `drawables`: which of `meshes`
 
     scene::Pose now;
     int animation = -1;
@@ -58,24 +58,30 @@ struct SceneBridge::State {
     scene::DeformedVertices scratch;
 };
 
-Result<MeshHandle> SceneBridge::State::findMesh(const scene::Drawable& drawable) {
-    MeshHandle& shared = sharedMeshes[size_t(drawable.geometry)];
-    if (!drawable.deforms && shared) return shared;
-    auto mesh = renderer.createMesh(meshDesc(model.geometries[size_t(drawable.geometry)]));
-    if (!mesh) return mesh;
-    meshes.push_back(*mesh);
-    if (!drawable.deforms) shared = *mesh;
-    return mesh;
+// One mesh per geometry, or per drawable where it deforms, all in one call.
+Result<void> SceneBridge::State::createMeshes() {
+    constexpr uint32_t kNone = ~0u;
+    std::vector<uint32_t> shared(model.geometries.size(), kNone);
+    std::vector<MeshDesc> descs;
+    for (const scene::Drawable& drawable : drawables) {
+        uint32_t own = kNone;
+        uint32_t& mesh = drawable.deforms ? own : shared[size_t(drawable.geometry)];
+        if (mesh == kNone) {
+            mesh = uint32_t(descs.size());
+            descs.push_back(meshDesc(model.geometries[size_t(drawable.geometry)]));
+        }
+        meshOf.push_back(mesh);
+    }
+    meshes.resize(descs.size());
+    return renderer.createMeshes(descs, meshes);
 }
 
-Result<void> SceneBridge::State::addInstance(const scene::Drawable& drawable) {
-    const auto mesh = findMesh(drawable);
-    if (!mesh) return tl::unexpected(mesh.error());
+Result<void> SceneBridge::State::addInstance(const scene::Drawable& drawable, MeshHandle mesh) {
     const auto material = materials.find(drawable.material);
     if (!material) return tl::unexpected(material.error());
     Instance instance;
     instance.worldFromLocal = drawable.worldFromLocal;
-    instance.mesh = *mesh;
+    instance.mesh = mesh;
     instance.material = *material;
     instance.id = uint32_t(instances.size());
     instance.previousTransform = instance.id;
@@ -88,9 +94,9 @@ Result<void> SceneBridge::State::addInstances() {
     now = scene::restPose(model);
     nodes = scene::reachableNodes(model);
     drawables = scene::listDrawables(model, now);
-    sharedMeshes.resize(model.geometries.size());
-    for (const scene::Drawable& drawable : drawables)
-        if (auto added = addInstance(drawable); !added) return added;
+    if (auto created = createMeshes(); !created) return created;
+    for (size_t i = 0; i < drawables.size(); ++i)
+        if (auto added = addInstance(drawables[i], meshes[meshOf[i]]); !added) return added;
     previousTransforms.resize(instances.size());
     return setPose(std::move(now));
 }

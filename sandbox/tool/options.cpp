@@ -154,6 +154,15 @@ void addQualityOptions(CLI::App& app, RenderOptions& o) {
            },
            "Anti-aliasing")
         ->check(CLI::IsMember({"off", "fxaa"}));
+    const auto addPixels = [&](const char* name, std::optional<float>& value, const char* text) {
+        app.add_option(name, value, text)->check(finiteNumber())->check(CLI::NonNegativeNumber);
+    };
+    addSwitch(app, "--occlusion", o.occlusionCulling, "Leave out what is hidden behind others");
+    addPixels("--lod-error", o.lodError,
+              "Pixels that a simplified mesh may be off; 0: meshes as they are");
+    addPixels("--shadow-lod-error", o.shadowLodError, "The same of shadows, in texels of their map");
+    addPixels("--small-objects", o.smallObjects,
+              "Leave out objects that are fewer pixels, or shadow texels, across; 0: none");
 }
 
 struct QualityLevel {
@@ -161,13 +170,14 @@ struct QualityLevel {
     uint32_t shadowResolution;
     bool bloom;
     AntiAliasing antiAliasing;
+    float lodError;
 };
 
 constexpr std::array<QualityLevel, 4> kQualityLevels = {{
-    {1, 1024, false, AntiAliasing::off},
-    {2, 1024, true, AntiAliasing::fxaa},
-    {4, 2048, true, AntiAliasing::fxaa},
-    {4, 4096, true, AntiAliasing::fxaa},
+    {1, 1024, false, AntiAliasing::off, 1},
+    {2, 1024, true, AntiAliasing::fxaa, 0.5f},
+    {4, 2048, true, AntiAliasing::fxaa, 0.3f},
+    {4, 4096, true, AntiAliasing::fxaa, 0.1f},
 }};
 
 }  // namespace
@@ -219,6 +229,10 @@ FrameSettings settingsFrom(const RenderOptions& o) {
     settings.bloom = o.bloom.value_or(level.bloom);
     settings.antiAliasing = o.antiAliasing.value_or(level.antiAliasing);
     settings.dither = o.dither.value_or(true);
+    settings.occlusionCulling = o.occlusionCulling.value_or(true);
+    settings.lodPixelError = o.lodError.value_or(level.lodError);
+    settings.shadowLodTexelError = o.shadowLodError.value_or(level.lodError);
+    settings.smallObjectPixels = o.smallObjects.value_or(settings.smallObjectPixels);
     settings.exposureScale = o.exposureScale;
     settings.useExposureValue = o.exposureValue.has_value();
     settings.exposureValue = o.exposureValue.value_or(0);

@@ -59,6 +59,10 @@ struct RenderOptions {
     std::optional<bool> bloom;
     std::optional<bool> dither;
     std::optional<AntiAliasing> antiAliasing;
+    std::optional<bool> occlusionCulling;
+    std::optional<float> lodError;
+    std::optional<float> shadowLodError;
+    std::optional<float> smallObjects;
 
     uint32_t warmup = 0;
     bool strict = false;

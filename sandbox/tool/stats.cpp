@@ -25,6 +25,7 @@ ordered_json frameJson(const FrameReport& r, const FrameTimes& times) {
             {"visible", r.visible},
             {"culled_frustum", r.culledFrustum},
             {"culled_occlusion", r.culledOcclusion},
+            {"culled_small", r.culledSmall},
             {"rejected", r.rejected},
             {"draws", r.draws},
             {"triangles", r.triangles},

@@ -134,6 +134,8 @@ void drawSettings(ViewerSettings& settings, CameraRig& camera) {
         if (ImGui::Checkbox("FXAA", &fxaa))
             frame.antiAliasing = fxaa ? AntiAliasing::fxaa : AntiAliasing::off;
         ImGui::Checkbox("frustum culling", &frame.frustumCulling);
+        ImGui::Checkbox("occlusion culling", &frame.occlusionCulling);
+        ImGui::SliderFloat("LOD error (pixels)", &frame.lodPixelError, 0, 8, "%.2f");
         comboToneMap(frame);
         editExposure(frame);
         if (settings.hasEnvironment) ImGui::Checkbox("environment", &settings.useEnvironment);

@@ -70,8 +70,7 @@ Result<View> SceneFrames::viewOf(const SceneView& wanted) const {
     return fail(model_.path, "There is no camera \"" + wanted.camera + "\" in a node.");
 }
 
-Result<CapturedImage> SceneFrames::render(const SceneView& wanted, const FrameOptions& options) {
-    FrameInput input;
+Result<void> SceneFrames::fill(const SceneView& wanted, FrameInput& input) const {
     bridge_->fill(input);
     const auto view = viewOf(wanted);
     if (!view) return tl::unexpected(view.error());
@@ -83,6 +82,12 @@ Result<CapturedImage> SceneFrames::render(const SceneView& wanted, const FrameOp
         input.lighting.directional = {&kSun, 1};
         input.lighting.ambientSky = input.lighting.ambientGround = vec3(0.3f);
     }
+    return {};
+}
+
+Result<CapturedImage> SceneFrames::render(const SceneView& wanted, const FrameOptions& options) {
+    FrameInput input;
+    if (auto filled = fill(wanted, input); !filled) return tl::unexpected(filled.error());
     const auto ticket = renderer_.renderOffscreen(input, wanted.width, wanted.height,
                                                   CaptureKind::display, options);
     if (!ticket) return tl::unexpected(ticket.error());

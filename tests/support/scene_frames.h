@@ -26,6 +26,8 @@ public:
                                                      const std::string& environment);
     ~SceneFrames();
 
+    /// The input of a frame; its spans stay good while this lives.
+    Result<void> fill(const SceneView& view, FrameInput& input) const;
     Result<CapturedImage> render(const SceneView& view, const FrameOptions& options = {});
 
 private:

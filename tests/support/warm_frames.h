@@ -9,11 +9,11 @@
 namespace rushlight {
 
 inline constexpr uint32_t kDistinctFrames = 5;
-inline constexpr uint32_t kWarmUpFrames = 2 * kDistinctFrames;
+inline constexpr uint32_t kWarmUpFrames = 3 * kDistinctFrames;
 inline constexpr uint32_t kWarmFrames = 4 * kDistinctFrames;
 
-/// Renders the scene's first frames over and over into `target`; the number of allocations after two rounds: in the
-/// second, what is kept from frame to frame (cached cascades) is already there.
+/// Renders the scene's first frames over and over into `target`; the number of allocations after three rounds: in the
+/// second, what is kept from frame to frame (cached cascades) is already there, and llvmpipe compiles a last variant.
 inline uint64_t allocationsOfWarmFrames(Renderer& renderer, RandomScene& scene, const FrameTarget& target) {
     const auto render = [&](uint32_t i) {
         const FrameInput input = scene.frame(i % kDistinctFrames);

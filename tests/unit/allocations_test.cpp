@@ -5,6 +5,8 @@
 #include "renderer/frame/occlusion_pick.h"
 #include "tests/support/shapes.h"
 
+#include <thread>
+
 namespace rushlight {
 namespace {
 
@@ -63,6 +65,43 @@ TEST(Allocations, WarmOcclusionMakesNone) {
     const uint64_t before = allocationsOnThisThread();
     for (int i = 1; i < 4; ++i) frame(float(i));
     EXPECT_EQ(allocationsOnThisThread() - before, 0u);
+}
+
+// On both threads.
+TEST(Allocations, WarmFramesOfTheRenderThreadMakeNone) {
+    for (uint32_t inFlight = 1; inFlight <= 3; ++inFlight) {
+        RendererDesc desc;
+        desc.renderThread = true;
+        desc.framesInFlight = inFlight;
+        const auto renderer = std::move(Renderer::create(desc).value());
+        RandomScene scene(*renderer, 2);
+        struct Served {
+            uint32_t frames = 0;
+            uint64_t before = 0, after = 0;
+        } served;
+        // Each of the buffers for commands must have held each of the frames.
+        constexpr uint32_t kWarm = 5 * kDistinctFrames * 4, kCounted = 4 * kDistinctFrames;
+        std::thread game([&] {
+            uint64_t before = 0;
+            for (uint32_t i = 0; i < kWarm + kCounted; ++i) {
+                if (i == kWarm) before = allocationsOnThisThread();
+                const FrameInput input = scene.frame(i % kDistinctFrames);
+                if (!renderer->render(input, {0, 320, 200})) ADD_FAILURE();
+            }
+            EXPECT_EQ(allocationsOnThisThread() - before, 0u) << inFlight << " in flight";
+            renderer->stopServing();
+        });
+        EXPECT_TRUE(renderer->serve(
+            [](void* user) {
+                Served& s = *static_cast<Served*>(user);
+                if (++s.frames == kWarm) s.before = allocationsOnThisThread();
+                s.after = allocationsOnThisThread();
+            },
+            &served));
+        game.join();
+        EXPECT_EQ(served.frames, kWarm + kCounted);
+        EXPECT_EQ(served.after - served.before, 0u) << inFlight << " in flight, serving";
+    }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "renderer/frame/draw_list.h"
+#include "renderer/frame/visibility.h"
 
 #include "renderer/frame/surface_variant.h"
 #include "tests/support/memory_device.h"
@@ -23,9 +23,10 @@ protected:
     MeshHandle sheet = *geometry.create(makeCube(1).desc());
     std::vector<Instance> instances;
     std::vector<mat4x3> previous;
-    std::vector<ResolvedInstance> resolved;
+    InstanceWorld world;
+    Visibility visibility;
+    Visibility::Lists lists;
     CommandBuffer buffer;
-    DrawList list;
 
     MaterialHandle material(void (*change)(MaterialDesc&)) {
         MaterialDesc desc;
@@ -41,22 +42,33 @@ protected:
         instances.push_back(instance);
         return instances.back();
     }
-    /// From the origin along -z, without culling unless asked for.
-    void build(DrawListKind kind, bool cull = false) {
+    /// From the origin along -z, one shadow view from above, without culling unless asked for.
+    void build(bool cull = false) {
         ASSERT_TRUE(materials.flush(*textures.flush()));
-        resolveInstances(instances, previous.size(), geometry, materials, jobs, resolved);
+        world.noteChanges(geometry.changedMeshes(), materials.changedMaterials());
+        geometry.clearChanges();
+        materials.clearChanges();
+        world.assign(instances, jobs);
+        world.prepare(geometry, materials, previous, jobs);
         const CameraMatrices camera = makeCamera({}, 1).value();
+        FrameSettings settings;
+        settings.frustumCulling = cull;
+        settings.smallObjectPixels = 0;
+        settings.occlusionCulling = false;
+        const ShadowCascades cascades = makeShadowCascades(
+            camera, {vec3(0, -1, 0), 1, 256, 0, Aabb{vec3(-20), vec3(20)}});
+        Visibility::Inputs in{{{nullptr, &world}}, &geometry, &camera, 100, 100, &settings, &cascades};
+        visibility.gather(in, jobs, lists);
         buffer.clear();
-        const auto sees = [&](const vec3& center, const vec3& halfExtent) {
-            return !cull || intersects(camera.frustum, center, halfExtent);
-        };
-        list.gather(kind, instances, resolved, camera.position, camera.forward, sees);
-        list.allocate(buffer);
-        list.fill(buffer, instances, resolved, previous);
+        for (DrawList* list : {&lists.opaque, &lists.blended, &lists.movingEmission, &shadow()}) {
+            list->allocate(buffer);
+            list->fill(buffer, in.worlds, 0, uint32_t(list->items.size()));
+        }
     }
-    std::vector<uint32_t> order() const {
+    DrawList& shadow() { return lists.casters[0]; }
+    static std::vector<uint32_t> order(const DrawList& list) {
         std::vector<uint32_t> seen;
-        list.forEachVisible([&](uint32_t i) { seen.push_back(i); });
+        for (const VisibleItem& item : list.items) seen.push_back(item.object & 0x7fffffff);
         return seen;
     }
     template <class T>
@@ -75,11 +87,11 @@ TEST_F(DrawListTest, OpaqueIsSortedByStateThenFrontToBack) {
         add(cube, masked, distance);
         add(cube, plain, distance);
     }
-    build(DrawListKind::opaque);
-    EXPECT_EQ(order(), (Order{3, 1, 5, 2, 0, 4})) << "plain before masked, each near to far";
-    ASSERT_EQ(list.batches.size(), 2u);
-    EXPECT_FALSE(list.batches[0].surfaceFlags & kAlphaMask);
-    EXPECT_TRUE(list.batches[1].surfaceFlags & kAlphaMask);
+    build();
+    EXPECT_EQ(order(lists.opaque), (Order{3, 1, 5, 2, 0, 4})) << "plain before masked, each near to far";
+    ASSERT_EQ(lists.opaque.batches.size(), 2u);
+    EXPECT_FALSE(lists.opaque.batches[0].surfaceFlags & kAlphaMask);
+    EXPECT_TRUE(lists.opaque.batches[1].surfaceFlags & kAlphaMask);
 }
 
 TEST_F(DrawListTest, BlendedIsBackToFrontWhateverTheState) {
@@ -89,28 +101,29 @@ TEST_F(DrawListTest, BlendedIsBackToFrontWhateverTheState) {
         d.doubleSided = true;
     });
     add(cube, a, 3), add(ball, b, 9), add(cube, b, 5), add(ball, a, 7), add(cube, {}, 6);
-    build(DrawListKind::blend);
-    EXPECT_EQ(order(), (Order{1, 3, 2, 0}));
-    EXPECT_EQ(list.batches.size(), 4u);
-    build(DrawListKind::opaque);
-    EXPECT_EQ(order(), (Order{4}));
+    build();
+    EXPECT_EQ(order(lists.blended), (Order{1, 3, 2, 0}));
+    EXPECT_EQ(lists.blended.batches.size(), 4u);
+
+
+    EXPECT_EQ(order(lists.opaque), (Order{4}));
 }
 
 TEST_F(DrawListTest, TiesKeepTheCallersOrder) {
     const MaterialHandle glass = material([](MaterialDesc& d) { d.alphaMode = AlphaMode::blend; });
     for (int i = 0; i < 50; ++i) add(cube, glass, 4);
-    build(DrawListKind::blend);
-    for (uint32_t i = 0; i < 50; ++i) EXPECT_EQ(order()[i], i);
+    build();
+    for (uint32_t i = 0; i < 50; ++i) EXPECT_EQ(order(lists.blended)[i], i);
 }
 
 TEST_F(DrawListTest, EqualMeshesMergeIntoOneInstancedDraw) {
     for (int i = 0; i < 5; ++i) add(cube, {}, 4.0f + 0.001f * float(i));
     for (int i = 0; i < 3; ++i) add(ball, {}, 4.0f);
-    build(DrawListKind::opaque);
-    ASSERT_EQ(list.batches.size(), 1u);
-    EXPECT_EQ(list.batches[0].drawCount, 2u);
-    const auto first = data<DrawIndexedCommand>(list.commandRange, 0);
-    const auto second = data<DrawIndexedCommand>(list.commandRange, 1);
+    build();
+    ASSERT_EQ(lists.opaque.batches.size(), 1u);
+    EXPECT_EQ(lists.opaque.batches[0].drawCount, 2u);
+    const auto first = data<DrawIndexedCommand>(lists.opaque.commandRange, 0);
+    const auto second = data<DrawIndexedCommand>(lists.opaque.commandRange, 1);
     const GpuMesh& c = *geometry.find(cube);
     const GpuMesh& b = *geometry.find(ball);
     EXPECT_EQ(first.instanceCount, 5u);
@@ -120,15 +133,15 @@ TEST_F(DrawListTest, EqualMeshesMergeIntoOneInstancedDraw) {
     EXPECT_EQ(second.instanceCount, 3u);
     EXPECT_EQ(second.firstIndex, b.firstIndex);
     EXPECT_EQ(second.baseInstance, 5u);
-    EXPECT_EQ(list.batches[0].triangleCount, (5 * c.indexCount + 3 * b.indexCount) / 3);
-    for (uint32_t i = 0; i < 5; ++i) EXPECT_EQ(data<InstanceData>(list.instanceRange, i).id, 100 + i);
+    EXPECT_EQ(lists.opaque.batches[0].triangleCount, (5 * c.indexCount + 3 * b.indexCount) / 3);
+    for (uint32_t i = 0; i < 5; ++i) EXPECT_EQ(data<InstanceData>(lists.opaque.instanceRange, i).id, 100 + i);
 }
 
 TEST_F(DrawListTest, InstanceDataHoldsTheTransformByRows) {
     Instance& instance = add(cube, {}, 0);
     instance.worldFromLocal = {1, 2, 3, 4, 5, 6, 7, 8, 10, 11, 12, 13};
-    build(DrawListKind::opaque);
-    const auto d = data<InstanceData>(list.instanceRange, 0);
+    build();
+    const auto d = data<InstanceData>(lists.opaque.instanceRange, 0);
     EXPECT_EQ(d.row0, vec4(1, 4, 7, 11));
     EXPECT_EQ(d.row1, vec4(2, 5, 8, 12));
     EXPECT_EQ(d.row2, vec4(3, 6, 10, 13));
@@ -140,12 +153,12 @@ TEST_F(DrawListTest, MovingInstancesCarryWhereTheyWere) {
     moving.flags |= kInstanceMoving;
     moving.previousTransform = 1;
     previous = {mat4x3(1.0f), mat4x3(2.0f)};
-    build(DrawListKind::opaque);
-    ASSERT_EQ(list.batches.size(), 2u);
-    EXPECT_FALSE(list.batches[0].moving);
-    EXPECT_TRUE(list.batches[1].moving);
-    EXPECT_EQ(data<DrawIndexedCommand>(list.commandRange, 1).baseInstance, 0u) << "a stream of its own";
-    const auto d = data<MovingInstanceData>(list.movingRange, 0);
+    build();
+    ASSERT_EQ(lists.opaque.batches.size(), 2u);
+    EXPECT_FALSE(lists.opaque.batches[0].moving);
+    EXPECT_TRUE(lists.opaque.batches[1].moving);
+    EXPECT_EQ(data<DrawIndexedCommand>(lists.opaque.commandRange, 1).baseInstance, 0u) << "a stream of its own";
+    const auto d = data<MovingInstanceData>(lists.opaque.movingRange, 0);
     EXPECT_EQ(d.now.id, 101u);
     EXPECT_EQ(d.previousRow1, vec4(0, 2, 0, 0));
 }
@@ -155,12 +168,12 @@ TEST_F(DrawListTest, MirroredAndDoubleSidedAreToldApart) {
     add(cube, {}, 3);
     add(cube, {}, 3).worldFromLocal[0] = {-1, 0, 0};
     add(cube, doubleSided, 3);
-    build(DrawListKind::opaque);
+    build();
     const uint32_t mask = kMirrored | kDoubleSided;
-    EXPECT_EQ(resolved[0].surfaceFlags & mask, 0u);
-    EXPECT_EQ(resolved[1].surfaceFlags & mask, uint32_t(kMirrored));
-    EXPECT_EQ(resolved[2].surfaceFlags & mask, uint32_t(kDoubleSided));
-    EXPECT_EQ(list.batches.size(), 3u);
+    EXPECT_EQ(world.record(0).surfaceFlags & mask, 0u);
+    EXPECT_EQ(world.record(1).surfaceFlags & mask, uint32_t(kMirrored));
+    EXPECT_EQ(world.record(2).surfaceFlags & mask, uint32_t(kDoubleSided));
+    EXPECT_EQ(lists.opaque.batches.size(), 3u);
 }
 
 // A closed mesh needs no back faces in a shadow map; an open one does. Materials count where alpha cuts alone.
@@ -170,12 +183,12 @@ TEST_F(DrawListTest, ShadowCastersForgetTheirMaterials) {
     const MaterialHandle leaf = material([](MaterialDesc& d) { d.alphaMode = AlphaMode::mask; });
     add(cube, {}, 3), add(cube, red, 4), add(sheet, {}, 3), add(cube, glass, 3), add(cube, leaf, 3);
     add(cube, {}, 5).flags = 0;
-    build(DrawListKind::shadow);
-    EXPECT_EQ(list.visibleCount(), 4u);
-    ASSERT_EQ(list.batches.size(), 3u);
-    EXPECT_EQ(list.batches[0].surfaceFlags, 0u);
-    EXPECT_EQ(data<DrawIndexedCommand>(list.commandRange, 0).instanceCount, 2u);
-    EXPECT_EQ(list.batches[1].surfaceFlags | list.batches[2].surfaceFlags,
+    build();
+    EXPECT_EQ(shadow().items.size(), 4u);
+    ASSERT_EQ(shadow().batches.size(), 3u);
+    EXPECT_EQ(shadow().batches[0].surfaceFlags, 0u);
+    EXPECT_EQ(data<DrawIndexedCommand>(shadow().commandRange, 0).instanceCount, 2u);
+    EXPECT_EQ(shadow().batches[1].surfaceFlags | shadow().batches[2].surfaceFlags,
               uint32_t(kDoubleSided | kAlphaMask));
 }
 
@@ -185,17 +198,17 @@ TEST_F(DrawListTest, OnlyMovingEmittersAreInTheirList) {
     add(cube, lamp, 3);
     add(cube, lamp, 3).flags |= kInstanceMoving;
     add(cube, {}, 3).flags |= kInstanceMoving;
-    build(DrawListKind::movingEmission);
-    EXPECT_EQ(order(), (Order{1}));
+    build();
+    EXPECT_EQ(order(lists.movingEmission), (Order{1}));
 }
 
 TEST_F(DrawListTest, WhatIsOutOfSightIsCulled) {
     add(cube, {}, 5), add(cube, {}, -5);
     add(cube, {}, 5).worldFromLocal[3].x = 50;
-    build(DrawListKind::opaque, true);
-    EXPECT_EQ(order(), (Order{0}));
-    build(DrawListKind::opaque, false);
-    EXPECT_EQ(list.visibleCount(), 3u);
+    build(true);
+    EXPECT_EQ(order(lists.opaque), (Order{0}));
+    build();
+    EXPECT_EQ(lists.opaque.items.size(), 3u);
 }
 
 TEST_F(DrawListTest, BadInstancesAreLeftOut) {
@@ -209,24 +222,25 @@ TEST_F(DrawListTest, BadInstancesAreLeftOut) {
     add(stale, {}, 3), add({}, {}, 3), add(cube, gone, 3);
     add(cube, {}, 3).flags |= kInstanceMoving;  // there is no previous transform
     add(cube, {}, 3);
-    build(DrawListKind::opaque);
-    EXPECT_EQ(order(), (Order{6}));
-    for (size_t i = 0; i < 6; ++i) EXPECT_EQ(resolved[i].mesh, nullptr) << i;
+    build();
+    EXPECT_EQ(order(lists.opaque), (Order{6}));
+    for (uint32_t i = 0; i < 6; ++i) EXPECT_FALSE(world.record(i).valid) << i;
+    EXPECT_EQ(world.rejected(), 6u);
 }
 
 TEST_F(DrawListTest, TheHashTellsWhatTheListHolds) {
     add(cube, {}, 3), add(ball, {}, 4);
-    build(DrawListKind::shadow);
-    const uint64_t before = list.contentHash(buffer);
-    build(DrawListKind::shadow);
-    EXPECT_EQ(list.contentHash(buffer), before);
+    build();
+    const uint64_t before = shadow().contentHash();
+    build();
+    EXPECT_EQ(shadow().contentHash(), before);
     instances[1].worldFromLocal[3].y += 0.001f;
-    build(DrawListKind::shadow);
-    const uint64_t moved = list.contentHash(buffer);
+    build();
+    const uint64_t moved = shadow().contentHash();
     EXPECT_NE(moved, before);
     instances[1].mesh = cube;
-    build(DrawListKind::shadow);
-    EXPECT_NE(list.contentHash(buffer), moved);
+    build();
+    EXPECT_NE(shadow().contentHash(), moved);
 }
 
 TEST_F(DrawListTest, AMovingCasterChangesTheHash) {
@@ -235,11 +249,11 @@ TEST_F(DrawListTest, AMovingCasterChangesTheHash) {
     for (MaterialHandle m : {MaterialHandle{}, leaf}) {
         instances.clear();
         add(cube, m, 3).flags |= kInstanceMoving;
-        build(DrawListKind::shadow);
-        const uint64_t before = list.contentHash(buffer);
+        build();
+        const uint64_t before = shadow().contentHash();
         instances[0].worldFromLocal[3].x += 0.01f;
-        build(DrawListKind::shadow);
-        EXPECT_NE(list.contentHash(buffer), before);
+        build();
+        EXPECT_NE(shadow().contentHash(), before);
     }
 }
 

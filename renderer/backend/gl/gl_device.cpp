@@ -70,11 +70,13 @@ public:
     std::string_view version() const override { return version_; }
 
     Result<BufferHandle> createBuffer(const BufferDesc& desc) override {
+        if (isLost()) return tl::unexpected(status_.error());
         return validate(desc, limits_).map([&] {
             return resources_.buffers.insert(resources_.createBuffer(desc));
         });
     }
     Result<TextureHandle> createTexture(const TextureDesc& desc) override {
+        if (isLost()) return tl::unexpected(status_.error());
         return validate(desc, limits_).map([&] {
             return resources_.textures.insert(resources_.createTexture(desc));
         });
@@ -101,14 +103,16 @@ public:
     void execute(const CommandBuffer& commands, const ExecuteOptions& options,
                  ExecutionReport& report) override;
     bool takeReadback(uint32_t ticket, bool wait, ReadbackImage& image) override {
-        return readback_.take(ticket, wait, image);
+        return !isLost() && readback_.take(ticket, wait, image);
     }
+    Result<void> status() const override { return status_; }
     Result<uint32_t> reloadShaders() override { return programs_.reload(); }
     void finish() override { gl_.Finish(); }
     std::vector<std::string> takeDebugMessages() override { return debug_.take(); }
 
 private:
     void forgetBuffer(GLuint name);
+    bool isLost();
 
     std::unique_ptr<GlFunctions> functions_;
     GlFunctions& gl_;
@@ -124,7 +128,22 @@ private:
     GlTimers timers_;
     GlReadback readback_;
     GlTexelUnits texelUnits_{};
+    Result<void> status_;
 };
+
+bool GlDevice::isLost() {
+    if (!status_) return true;
+    const GLenum reset = gl_.resetStatus();
+    if (reset == GL_NO_ERROR) return false;
+    const char* const whose = reset == GL_GUILTY_CONTEXT_RESET     ? "by something this context did"
+                              : reset == GL_INNOCENT_CONTEXT_RESET ? "by something outside of it"
+                                                                   : "for an unknown reason";
+    status_ = fail("OpenGL", std::string("the context was reset, ") + whose +
+                                 "; its objects are gone. Destroy the renderer and create another one "
+                                 "in a new context.",
+                   ErrorKind::noContext);
+    return true;
+}
 
 SamplerHandle GlDevice::createSampler(const SamplerDesc& desc) {
     SamplerHandle equal;
@@ -136,6 +155,7 @@ SamplerHandle GlDevice::createSampler(const SamplerDesc& desc) {
 }
 
 Result<PipelineHandle> GlDevice::createPipeline(const PipelineDesc& desc) {
+    if (isLost()) return tl::unexpected(status_.error());
     if (Result<void> valid = validate(desc); !valid) return tl::unexpected(valid.error());
     return programs_.get(desc).map([&](uint32_t program) {
         return resources_.pipelines.insert(
@@ -263,6 +283,10 @@ void GlDevice::execute(const CommandBuffer& commands, const ExecuteOptions& opti
         pass.attachmentHashes.clear();
     }
     functions_->calls = 0;
+    report.glCalls = report.stateChanges = report.waits = 0;
+    report.uploadedBytes = 0;
+    report.cpuMs = 0;
+    if (isLost()) return;
     state_.resetCount();
 
     ring_.begin(commands.data());

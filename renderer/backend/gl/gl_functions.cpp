@@ -41,6 +41,11 @@ Result<void> GlFunctions::load(GlLoad loader) {
     return noContext("The OpenGL context lacks functions that are needed: " + missing + ".");
 }
 
+GLenum GlFunctions::resetStatus() const {
+    if (reset_ == GL_NO_ERROR) reset_ = GetGraphicsResetStatus();
+    return reset_;
+}
+
 void GlFunctions::label(GLenum kind, GLuint object, std::string_view text) const {
     if (text.empty()) return;
     ObjectLabel(kind, object, GLsizei(std::min(text.size(), kMaxLabel)), text.data());

@@ -91,6 +91,7 @@ private:
     X(FrontFace, FRONTFACE)                                     \
     X(GetActiveUniform, GETACTIVEUNIFORM)                       \
     X(GetActiveUniformBlockiv, GETACTIVEUNIFORMBLOCKIV)         \
+    X(GetGraphicsResetStatus, GETGRAPHICSRESETSTATUS)           \
     X(GetIntegerv, GETINTEGERV)                                 \
     X(GetNamedBufferSubData, GETNAMEDBUFFERSUBDATA)             \
     X(GetPointerv, GETPOINTERV)                                 \
@@ -157,6 +158,11 @@ struct GlFunctions {
     /// missing; the message names which.
     Result<void> load(GlLoad loader);
 
+    /// What GetGraphicsResetStatus said, the first answer that was not "no error" being kept: after that the driver may
+    /// say "no error" again, though nothing is left of the objects. Only contexts that were made to
+    /// (GL_LOSE_CONTEXT_ON_RESET of GL_KHR_robustness) tell.
+    GLenum resetStatus() const;
+
     /// Names a GL object in debuggers and messages.
     void label(GLenum kind, GLuint object, std::string_view text) const;
 
@@ -164,6 +170,9 @@ struct GlFunctions {
     RL_GL_FUNCTIONS(RL_GL_MEMBER)
 #undef RL_GL_MEMBER
     uint32_t calls = 0;
+
+private:
+    mutable GLenum reset_ = GL_NO_ERROR;
 };
 
 }  // namespace rushlight

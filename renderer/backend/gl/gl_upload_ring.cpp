@@ -31,7 +31,7 @@ void GlUploadRing::allocate(uint64_t slotSize) {
     gl_.NamedBufferStorage(buffer_, size, nullptr, flags);
     gl_.label(GL_BUFFER, buffer_, "upload ring");
     mapped_ = static_cast<std::byte*>(gl_.MapNamedBufferRange(buffer_, 0, size, flags));
-    RL_CHECK(mapped_, "the driver cannot map the upload ring");
+    RL_CHECK(mapped_ || gl_.resetStatus() != GL_NO_ERROR, "the driver cannot map the upload ring");
 }
 
 void GlUploadRing::waitFor(uint32_t slot) {
@@ -61,7 +61,7 @@ void GlUploadRing::begin(std::span<const std::byte> data) {
         allocate(std::bit_ceil(data.size()));
     }
     waitFor(slot_);
-    if (!data.empty()) std::memcpy(mapped_ + base(), data.data(), data.size());
+    if (!data.empty() && mapped_) std::memcpy(mapped_ + base(), data.data(), data.size());
 }
 
 void GlUploadRing::end() { fences_[slot_] = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0); }
