@@ -8,8 +8,8 @@ namespace rushlight {
 namespace {
 
 constexpr uint32_t kFewestItems = 16;          // with fewer there is hardly anything to be hidden
-constexpr uint32_t kTriangleBudget = 4096;     // under a millisecond on one thread
-constexpr float kSmallestOccluder = 0.002f;    // of the target's area
+constexpr uint32_t kTriangleBudget = 2048;     // about half a millisecond on one thread
+constexpr float kSmallestOccluder = 0.005f;    // of the target's area
 constexpr uint32_t kBoxesPerJob = 256;
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace rushlight {
 namespace {
 
-// Arguments: objects, percent that move, threads.
+// Arguments: objects, percent that move, threads, whether what is hidden is culled too.
 void buildFrame(benchmark::State& state) {
     const auto jobs = createTbbJobs(uint32_t(state.range(2)));
     BenchWorld::Desc desc;
@@ -18,6 +18,7 @@ void buildFrame(benchmark::State& state) {
     desc.movingPercent = uint32_t(state.range(1));
     desc.jobs = jobs.get();
     BenchWorld world(desc);
+    world.settings.occlusionCulling = state.range(3);
     for (int i = 0; i < 5; ++i) world.frame();
     for (auto _ : state) {
         world.frame();
@@ -27,8 +28,8 @@ void buildFrame(benchmark::State& state) {
     state.counters["draws"] = world.report().draws;
 }
 BENCHMARK(buildFrame)
-    ->ArgNames({"objects", "moving%", "threads"})
-    ->ArgsProduct({{300, 3000, 30000, 300000, 1000000}, {0, 10}, {1, 2}})
+    ->ArgNames({"objects", "moving%", "threads", "occlusion"})
+    ->ArgsProduct({{300, 3000, 30000, 300000, 1000000}, {0, 10}, {1, 2}, {0, 1}})
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 
