@@ -88,6 +88,8 @@ struct EnvironmentDesc {
 enum InstanceFlags : uint32_t {
     kInstanceCastsShadow = 1,
     kInstanceMoving = 2,  ///< `previousTransform` indexes FrameInput::previousTransforms
+    kInstanceOccluder = 4,    ///< hides much: considered before the occluders that the renderer finds itself
+    kInstanceNoOccluder = 8,  ///< never considered as one
 };
 
 struct Instance {

@@ -10,6 +10,7 @@ namespace {
 constexpr uint32_t kFewestItems = 16;          // with fewer there is hardly anything to be hidden
 constexpr uint32_t kTriangleBudget = 2048;     // about half a millisecond on one thread
 constexpr float kSmallestOccluder = 0.005f;    // of the target's area
+constexpr float kMarkedArea = 1e12f;           // before all that are not marked
 constexpr uint32_t kBoxesPerJob = 256;
 
 }  // namespace
@@ -23,11 +24,13 @@ void OcclusionCulling::addOccluders(const Inputs& in, std::span<const VisibleIte
         const InstanceRecord& r = in.worlds.record(item.object);
         const float pixels = r.radius * in.scale.at(r.center(), r.radius);
         const float area = kPi * pixels * pixels;
-        if (area < smallest) continue;
+        const bool marked = r.instanceFlags & kInstanceOccluder;
+        if (r.instanceFlags & kInstanceNoOccluder || (area < smallest && !marked)) continue;
         const CpuMesh* mesh = in.geometry->cpuMesh(r.mesh);
         if (!mesh || item.lod < mesh->firstLod) continue;
         // What fills the screen many times over is not worth as much more.
-        candidates_[i] = {std::min(area, float(in.width) * float(in.height)),
+        candidates_[i] = {marked ? kMarkedArea
+                                 : std::min(area, float(in.width) * float(in.height)),
                           mesh->lods[item.lod].indexCount / 3};
     }
     pickOccluders(candidates_, kTriangleBudget, picked_);

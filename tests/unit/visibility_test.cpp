@@ -122,6 +122,21 @@ TEST_F(VisibilityTest, AWallHidesWhatIsBehindIt) {
     EXPECT_EQ(gather().visible, 50u);
 }
 
+TEST_F(VisibilityTest, ContentSaysWhatHidesAndWhatDoesNot) {
+    add(cube, {0, 0, -10}, 0.2f);
+    for (int i = 0; i < 30; ++i) add(cube, {0.01f * float(i % 6), 0, -11 - 0.1f * float(i)}, 0.05f);
+    EXPECT_EQ(gather().culledOcclusion, 0u) << "too small to be considered";
+    instances[0].flags |= kInstanceOccluder;
+    EXPECT_EQ(gather().culledOcclusion, 30u);
+    instances[0].worldFromLocal = mat4x3(4.0f);
+    instances[0].worldFromLocal[3] = {0, 0, -20};
+    instances[0].flags = kInstanceCastsShadow;
+    for (int i = 1; i <= 30; ++i) instances[size_t(i)].worldFromLocal[3].z = -40;
+    EXPECT_EQ(gather().culledOcclusion, 30u);
+    instances[0].flags |= kInstanceNoOccluder;
+    EXPECT_EQ(gather().culledOcclusion, 0u);
+}
+
 // A hidden caster still casts: its shadow may fall where it is not.
 TEST_F(VisibilityTest, HiddenCastersStillCast) {
     add(cube, {0, 0, -10}, 8);
