@@ -117,6 +117,7 @@ uint32_t InstanceWorld::add(const Instance& instance) {
     }
     ++count_;
     alive_[slot] = 1;
+    motion_[slot] = Motion::none;  // what was there before may have moved in this frame
     copyFields(records_[slot], instance);
     records_[slot].instanceFlags &= ~uint32_t(kInstanceMoving);
     meshes_[slot] = instance.mesh.index();

@@ -77,6 +77,22 @@ TEST_F(InstanceWorldTest, AnUpdateMovesFromWhereTheLastFrameHadIt) {
     EXPECT_FALSE(r.surfaceFlags & kMoving) << "it stands still";
 }
 
+TEST_F(InstanceWorldTest, ANewInstanceDoesNotInheritTheMotionOfItsSlot) {
+    const InstanceHandle old = add(at({0, 0, 0}));
+    prepare();
+    ASSERT_TRUE(update(old, at({1, 0, 0})));
+    ASSERT_TRUE(worlds.remove(handle, {&old, 1}));
+    Instance fresh = at({5, 0, 0});
+    fresh.previousTransform = 77;
+    const InstanceHandle one = add(fresh);
+    ASSERT_EQ(one.index(), old.index());
+    ASSERT_TRUE(update(one, at({6, 0, 0})));
+    prepare();
+    const InstanceRecord& r = world().record(one.index());
+    ASSERT_TRUE(r.valid);
+    EXPECT_EQ(world().previousTransform(r)[3], vec3(5, 0, 0));
+}
+
 TEST_F(InstanceWorldTest, OnlyWhatChangedGetsANewStamp) {
     const InstanceHandle one = add(at({0, 0, 0})), other = add(at({5, 0, 0}));
     prepare();
