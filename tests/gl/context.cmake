@@ -6,5 +6,5 @@ gtest_discover_tests(context_gl_test)
 find_program(XVFB_RUN xvfb-run)
 if(XVFB_RUN)
   add_test(NAME context_gl_test_with_display
-    COMMAND ${XVFB_RUN} -a -s "-screen 0 640x480x24" $<TARGET_FILE:context_gl_test>)
+    COMMAND ${PROJECT_SOURCE_DIR}/tests/support/with_display.sh $<TARGET_FILE:context_gl_test>)
 endif()

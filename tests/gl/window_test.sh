@@ -5,8 +5,7 @@ case_name=$1 sandbox=$2 source=$3 work=$4
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
 log=$work/log.txt
 : > "$log"
-display="xvfb-run -a -s"
-screen="-screen 0 1280x800x24"
+display=$source/tests/support/with_display.sh
 
 fail() { echo "FAILED: $*"; cat "$log"; exit 1; }
 
@@ -23,7 +22,7 @@ await() {
 
 # Runs the sandbox on and on, at a small size, and waits for its first frame.
 start() {
-    $display "$screen" sh -c 'echo $$ > pid; exec "$@"' run \
+    "$display" sh -c 'echo $$ > pid; exec "$@"' run \
         "$sandbox" --size 160x90 --frames 1000000 "$@" > "$log" 2>&1 &
     server=$!
     until [ -s pid ]; do
@@ -42,12 +41,12 @@ stop() {
 
 case $case_name in
 picture)
-    $display "$screen" "$sandbox" --size 320x180 --frames 3 --lit --screenshot frame.png > "$log" 2>&1 ||
+    "$display" "$sandbox" --size 320x180 --frames 3 --lit --screenshot frame.png > "$log" 2>&1 ||
         fail "exit code $?"
     "$(dirname "$sandbox")/picture_varies" frame.png 0.02 || fail "the picture is uniform"
     ;;
 view)
-    $display "$screen" "$(dirname "$sandbox")/rushlight" view "$source/content/testcard/testcard.gltf" \
+    "$display" "$(dirname "$sandbox")/rushlight" view "$source/content/testcard/testcard.gltf" \
         --size 320x180 --frames 3 --screenshot frame.png > "$log" 2>&1 || fail "exit code $?"
     "$(dirname "$sandbox")/picture_varies" frame.png 0.02 || fail "the picture is uniform"
     ;;
