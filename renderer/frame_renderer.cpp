@@ -6,13 +6,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 namespace rushlight {
 namespace {
-
-constexpr uint32_t kMaxSide = 16384;
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
@@ -108,65 +105,6 @@ Result<void> FrameRenderer::validateCommands() {
     return tl::unexpected(faults[0]);
 }
 
-Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutput& output) const {
-    const auto wrong = [](const char* object, const std::string& what) {
-        return fail(object, what, ErrorKind::wrongUse);
-    };
-    const uint32_t w = output.target.width, h = output.target.height;
-    if (w == 0 || h == 0 || w > kMaxSide || h > kMaxSide)
-        return wrong("frame target", "its size is " + std::to_string(w) + "x" +
-                                         std::to_string(h) +
-                                         "; each side must be 1 to 16,384 pixels.");
-    const Lighting& lighting = input.lighting;
-    if (lighting.directional.size() > kMaxDirectionalLights)
-        return wrong("lighting", "there are " + std::to_string(lighting.directional.size()) +
-                                     " directional lights; at most 4 are possible.");
-    if (lighting.punctual.size() > kMaxPunctualLights)
-        return wrong("lighting", "there are " + std::to_string(lighting.punctual.size()) +
-                                     " point and spot lights; at most 4,096 are possible.");
-    for (const DirectionalLight& light : lighting.directional)
-        if (const float length = glm::length(light.direction);
-            !(length > 0) || !std::isfinite(length) ||
-            !std::isfinite(glm::length(light.illuminance)))
-            return wrong("lighting", "a directional light is not finite or has no direction.");
-    for (const PunctualLight& light : lighting.punctual)
-        if (!std::isfinite(glm::length(light.position) + glm::length(light.intensity) +
-                           glm::length(light.direction) + light.range + light.innerConeAngle +
-                           light.outerConeAngle))
-            return wrong("lighting", "a point or spot light is not finite.");
-    if (input.world && !worlds.find(input.world))
-        return wrong("frame", "its world is a stale handle.");
-    for (const auto& [name, value] :
-         {std::pair("lodPixelError", input.settings.lodPixelError),
-          std::pair("shadowLodTexelError", input.settings.shadowLodTexelError),
-          std::pair("smallObjectPixels", input.settings.smallObjectPixels)})
-        if (!(value >= 0) || !std::isfinite(value))
-            return wrong("settings", std::string(name) + " is " + std::to_string(value) +
-                                         "; it must be finite and not negative.");
-    if (lighting.environment && !environments.find(lighting.environment))
-        return wrong("lighting", "the environment is a stale handle.");
-    if (!std::isfinite(glm::length(lighting.ambientSky) + glm::length(lighting.ambientGround) +
-                       glm::length(lighting.backgroundColor) + lighting.environmentRotation +
-                       lighting.environmentIntensity))
-        return wrong("lighting", "the ambient light, the background or the environment's rotation "
-                                 "or intensity is not finite.");
-    const FrameSettings& s = input.settings;
-    for (const auto& [name, value] : {std::pair("shadowDistance", s.shadowDistance),
-                                      std::pair("bloomStrength", s.bloomStrength),
-                                      std::pair("exposureScale", s.exposureScale),
-                                      std::pair("exposureValue", s.exposureValue),
-                                      std::pair("deltaTime", s.deltaTime)})
-        if (!std::isfinite(value))
-            return wrong("settings", std::string(name) + " is " + std::to_string(value) +
-                                         "; it must be finite.");
-    if (s.shadows && (s.shadowCascades < 1 || s.shadowCascades > 4 ||
-                      s.shadowResolution < 64 || s.shadowResolution > 8192))
-        return wrong("settings", "shadows need 1 to 4 cascades of 64 to 8,192 texels; " +
-                                     std::to_string(s.shadowCascades) + " of " +
-                                     std::to_string(s.shadowResolution) + " were asked for.");
-    return {};
-}
-
 Result<void> FrameRenderer::prepareResources() {
     const auto moved = textures.flush();
     if (!moved) return tl::unexpected(moved.error());
@@ -230,57 +168,6 @@ void FrameRenderer::fillLists() {
                               std::min(first + DrawList::kItemsPerJob, size));
         }
     });
-}
-
-void FrameRenderer::planShadows(const FrameInput& input, const CameraMatrices& camera) {
-    sun_ = input.settings.shadows ? findSun(input.lighting) : -1;
-    cascades_.count = 0;
-    if (sun_ < 0) return;
-    const Aabb bounds = frameWorlds_.bounds();
-    if (bounds.isEmpty()) return;
-    ShadowCascadeDesc desc;
-    desc.lightDirection = input.lighting.directional[size_t(sun_)].direction;
-    desc.count = input.settings.shadowCascades;
-    desc.resolution = input.settings.shadowResolution;
-    desc.distance = input.settings.shadowDistance;
-    desc.sceneBounds = bounds;
-    cascades_ = makeShadowCascades(camera, desc);
-}
-
-Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
-                                                     const CameraMatrices& camera,
-                                                     const FrameOutput& output) {
-    const Lighting& lighting = input.lighting;
-    clusters_.build(camera, output.target.width, output.target.height, lighting.punctual);
-    const GpuEnvironment* environment = environments.find(lighting.environment);
-
-    LightingBindings b;
-    b.features.directionalLights = uint32_t(lighting.directional.size());
-    b.features.shadowCascades = cascades_.count;
-    b.features.clusteredLights = clusters_.visibleLights > 0;
-    b.features.environment = environment != nullptr;
-    b.features.hemisphere =
-        lighting.ambientSky != vec3(0) || lighting.ambientGround != vec3(0);
-    b.features.orthographic = !camera.perspective;
-    b.uniforms = uniforms(
-        makeLightingUniforms(camera, lighting, sun_, clusters_, cascades_, environment));
-    if (b.features.clusteredLights) {
-        b.lights = commands_.append(std::span<const GpuLight>(clusters_.lights));
-        b.clusters = commands_.append(std::span<const uint32_t>(clusters_.clusters));
-        b.lightIndices = commands_.append(std::span<const uint16_t>(clusters_.indices));
-    }
-    b.shadowSampler = shadowSampler_;
-    b.cubeSampler = cubeSampler_;
-    b.linearSampler = linearSampler_;
-    if (environment) {
-        b.environment = environment->specular;
-        b.irradiance = environment->irradiance;
-        b.sky = environment->background;
-        auto table = environments.brdfTable();
-        if (!table) return tl::unexpected(table.error());
-        b.brdfTable = *table;
-    }
-    return b;
 }
 
 Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutput& output,

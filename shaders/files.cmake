@@ -1,12 +1,16 @@
 # Every shader file that is compiled in, by its name in the shader library. One a line.
 set(RUSHLIGHT_SHADER_FILES
+  common/ambient.glsl
+  common/clustered_lights.glsl
   common/fullscreen.glsl
   common/fullscreen.vert
   common/gbuffer.glsl
   common/lighting.glsl
   common/lighting_block.glsl
   common/lighting_varyings.glsl
+  common/lit_surface.glsl
   common/material.glsl
+  common/sun_shadow.glsl
   common/surface_inputs.glsl
   interop/bindings.h
   interop/brdf.h

@@ -77,7 +77,7 @@ Result<LightingPass::Entry> LightingPass::find(const LightingFeatures& features,
     for (const Entry& entry : entries_)
         if (entry.features == features && entry.showSky == showSky) return entry;
     Entry entry{features, showSky, {}, {}};
-    std::vector<std::string_view> defines{"LIGHTING_VARYINGS"};
+    std::vector<std::string_view> defines;
     features.appendDefines(defines);
     PipelineDesc desc;
     desc.label = "lighting";

@@ -1,0 +1,58 @@
+#pragma once
+// How a frame is drawn, and what of it is shown.
+
+#include <cstdint>
+
+namespace rushlight {
+
+enum class ToneMap : uint8_t { none, neutral, agx, aces };
+enum class AntiAliasing : uint8_t { off, fxaa };
+
+/// What the last pass shows instead of the frame, for looking into it. In the deck's order.
+enum class ShownImage : uint8_t {
+    frame,
+    bounds,  ///< the frame with the visible objects' boxes drawn over it
+    baseColor,
+    metallic,
+    roughness,
+    normal,
+    emissive,
+    occlusion,
+    velocity,
+    depth,
+    shadow,    ///< the cascades side by side
+    clusters,  ///< lights per froxel as a heat map
+    lighting,  ///< HDR after deferred lighting, before forward
+    forward,   ///< HDR after forward
+    bloom,
+    tonemap,  ///< before anti-aliasing
+    count
+};
+const char* toText(ShownImage image);  ///< the names of `--pass`
+
+struct FrameSettings {
+    bool shadows = true;
+    uint32_t shadowCascades = 4;  ///< 1 to 4
+    uint32_t shadowResolution = 2048;
+    float shadowDistance = 0;  ///< metres; 0: chosen from the scene and the far plane
+    bool shadowCaching = true;  ///< a cascade whose view and casters are those of the last frame is not drawn again
+    bool bloom = true;
+    float bloomStrength = 0.04f;
+    float exposureScale = 1;     ///< linear factor on radiance, used when neither below is
+    bool useExposureValue = false;
+    float exposureValue = 0;     ///< EV100
+    bool autoExposure = false;
+    float deltaTime = 1.0f / 60;  ///< seconds since the last frame, for what adapts
+    ToneMap toneMap = ToneMap::neutral;
+    AntiAliasing antiAliasing = AntiAliasing::fxaa;
+    bool dither = true;
+    ShownImage show = ShownImage::frame;
+    bool frustumCulling = true;
+    bool occlusionCulling = true;  ///< leave out what opaque objects hide, as far as the CPU can tell
+    /// Simplified meshes are shown where their surface is off by at most this many pixels; 0: never.
+    float lodPixelError = 0.3f;
+    float shadowLodTexelError = 0.3f;  ///< as lodPixelError, in texels of the shadow map
+    float smallObjectPixels = 1;    ///< objects that are smaller across, in pixels or shadow texels, are left out; 0: none
+};
+
+}  // namespace rushlight

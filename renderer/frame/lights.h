@@ -1,0 +1,41 @@
+#pragma once
+// The light of one frame. Radiometric units are photometric ones times a colour; linear Rec.709.
+
+#include "renderer/frame/resource_descs.h"
+
+namespace rushlight {
+
+struct DirectionalLight {
+    vec3 direction{0, -1, 0};  ///< unit, world space, the way the light travels
+    vec3 illuminance{1};       ///< lux times colour
+    bool castsShadow = true;
+};
+
+/// Point and spot lights. Attenuation as KHR_lights_punctual: max(min(1-(d/range)^4, 1), 0) / d².
+struct PunctualLight {
+    vec3 position{0};
+    vec3 intensity{1};          ///< candela times colour
+    float range = 0;            ///< metres; 0: unbounded
+    vec3 direction{0, -1, 0};   ///< unit, world space, the way a spot shines
+    float innerConeAngle = 0;   ///< radians from the axis
+    float outerConeAngle = -1;  ///< < 0: a point light
+};
+
+enum class Background : uint8_t { color, environment, transparent };
+
+struct Lighting {
+    std::span<const DirectionalLight> directional;  ///< at most kMaxDirectionalLights; the first that casts has shadows
+    std::span<const PunctualLight> punctual;        ///< at most kMaxPunctualLights
+    EnvironmentHandle environment;                  ///< zero: the hemisphere ambient below
+    float environmentRotation = 0;                  ///< radians about +y
+    float environmentIntensity = 1;
+    vec3 ambientSky{0};     ///< irradiance/π from above, used when there is no environment
+    vec3 ambientGround{0};  ///< from below
+    Background background = Background::color;
+    vec3 backgroundColor{0};  ///< linear radiance; not tone mapped to anything else than the surfaces are
+};
+
+inline constexpr uint32_t kMaxDirectionalLights = 4;
+inline constexpr uint32_t kMaxPunctualLights = 4096;
+
+}  // namespace rushlight

@@ -1,0 +1,80 @@
+#pragma once
+// What the host creates before it draws: meshes, images, materials, environments. Spans are copied during the call.
+
+#include "engine/core/math.h"
+#include "renderer/commands/resources.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace rushlight {
+
+using MeshHandle = Handle<struct MeshTag>;
+using ImageHandle = Handle<struct ImageTag>;
+using MaterialHandle = Handle<struct MaterialTag>;
+using EnvironmentHandle = Handle<struct EnvironmentTag>;
+
+/// Triangles. Every attribute span is empty or as long as `positions`; copied.
+struct MeshDesc {
+    std::string_view label;
+    std::span<const vec3> positions;  ///< metres, local space; finite
+    std::span<const vec3> normals;    ///< unit; empty: face normals are made
+    std::span<const vec4> tangents;   ///< unit xyz, w = ±1 the sign of the bitangent; empty: normal maps are ignored
+    std::span<const vec2> uv0;        ///< v = 0 is the top row of an image
+    std::span<const vec2> uv1;
+    std::span<const vec4> colors;  ///< linear, multiply the base colour
+    std::span<const uint32_t> indices;  ///< three a triangle, counter-clockwise is the front
+    bool lods = true;  ///< make coarser levels, drawn where the difference is too small to see (renderer/frame/mesh_lods.h)
+};
+
+/// 8-bit RGBA, rows from the top, tightly packed; copied. Mip levels are made.
+struct ImageDesc {
+    std::string_view label;
+    uint32_t width = 0;   ///< 1 to 16,384
+    uint32_t height = 0;
+    bool srgb = false;  ///< colour data (base colour, emissive); false for normals and parameters
+    std::span<const uint8_t> pixels;
+};
+
+/// A use of an image. The transform maps a uv as KHR_texture_transform: scale, rotate, offset.
+struct TextureSlot {
+    ImageHandle image;
+    SamplerDesc sampler;
+    uint8_t uvSet = 0;
+    vec2 offset{0};
+    float rotation = 0;
+    vec2 scale{1};
+};
+
+enum class AlphaMode : uint8_t { opaque, mask, blend };
+
+/// Metallic-roughness, as glTF 2.0 section 3.9.
+struct MaterialDesc {
+    std::string_view label;
+    vec4 baseColor{1};
+    TextureSlot baseColorTexture;  ///< srgb
+    float metallic = 1;
+    float roughness = 1;
+    TextureSlot metallicRoughnessTexture;  ///< G roughness, B metallic
+    float normalScale = 1;
+    TextureSlot normalTexture;
+    float occlusionStrength = 1;
+    TextureSlot occlusionTexture;  ///< R
+    vec3 emissive{0};              ///< radiance in the units of the lights, unbounded
+    TextureSlot emissiveTexture;   ///< srgb
+    AlphaMode alphaMode = AlphaMode::opaque;
+    float alphaCutoff = 0.5f;
+    bool doubleSided = false;
+    bool unlit = false;
+};
+
+/// Equirectangular radiance: u = atan2(z, x)/2π + ½, v from the top = ½ − asin(y)/π. Copied and prefiltered.
+struct EnvironmentDesc {
+    std::string_view label;
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::span<const vec3> pixels;
+};
+
+}  // namespace rushlight

@@ -1,0 +1,73 @@
+// What a host may not hand over.
+#include "renderer/frame_renderer.h"
+
+#include <cmath>
+#include <utility>
+
+namespace rushlight {
+namespace {
+
+constexpr uint32_t kMaxSide = 16384;
+
+}  // namespace
+
+Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutput& output) const {
+    const auto wrong = [](const char* object, const std::string& what) {
+        return fail(object, what, ErrorKind::wrongUse);
+    };
+    const uint32_t w = output.target.width, h = output.target.height;
+    if (w == 0 || h == 0 || w > kMaxSide || h > kMaxSide)
+        return wrong("frame target", "its size is " + std::to_string(w) + "x" +
+                                         std::to_string(h) +
+                                         "; each side must be 1 to 16,384 pixels.");
+    const Lighting& lighting = input.lighting;
+    if (lighting.directional.size() > kMaxDirectionalLights)
+        return wrong("lighting", "there are " + std::to_string(lighting.directional.size()) +
+                                     " directional lights; at most 4 are possible.");
+    if (lighting.punctual.size() > kMaxPunctualLights)
+        return wrong("lighting", "there are " + std::to_string(lighting.punctual.size()) +
+                                     " point and spot lights; at most 4,096 are possible.");
+    for (const DirectionalLight& light : lighting.directional)
+        if (const float length = glm::length(light.direction);
+            !(length > 0) || !std::isfinite(length) ||
+            !std::isfinite(glm::length(light.illuminance)))
+            return wrong("lighting", "a directional light is not finite or has no direction.");
+    for (const PunctualLight& light : lighting.punctual)
+        if (!std::isfinite(glm::length(light.position) + glm::length(light.intensity) +
+                           glm::length(light.direction) + light.range + light.innerConeAngle +
+                           light.outerConeAngle))
+            return wrong("lighting", "a point or spot light is not finite.");
+    if (input.world && !worlds.find(input.world))
+        return wrong("frame", "its world is a stale handle.");
+    for (const auto& [name, value] :
+         {std::pair("lodPixelError", input.settings.lodPixelError),
+          std::pair("shadowLodTexelError", input.settings.shadowLodTexelError),
+          std::pair("smallObjectPixels", input.settings.smallObjectPixels)})
+        if (!(value >= 0) || !std::isfinite(value))
+            return wrong("settings", std::string(name) + " is " + std::to_string(value) +
+                                         "; it must be finite and not negative.");
+    if (lighting.environment && !environments.find(lighting.environment))
+        return wrong("lighting", "the environment is a stale handle.");
+    if (!std::isfinite(glm::length(lighting.ambientSky) + glm::length(lighting.ambientGround) +
+                       glm::length(lighting.backgroundColor) + lighting.environmentRotation +
+                       lighting.environmentIntensity))
+        return wrong("lighting", "the ambient light, the background or the environment's rotation "
+                                 "or intensity is not finite.");
+    const FrameSettings& s = input.settings;
+    for (const auto& [name, value] : {std::pair("shadowDistance", s.shadowDistance),
+                                      std::pair("bloomStrength", s.bloomStrength),
+                                      std::pair("exposureScale", s.exposureScale),
+                                      std::pair("exposureValue", s.exposureValue),
+                                      std::pair("deltaTime", s.deltaTime)})
+        if (!std::isfinite(value))
+            return wrong("settings", std::string(name) + " is " + std::to_string(value) +
+                                         "; it must be finite.");
+    if (s.shadows && (s.shadowCascades < 1 || s.shadowCascades > 4 ||
+                      s.shadowResolution < 64 || s.shadowResolution > 8192))
+        return wrong("settings", "shadows need 1 to 4 cascades of 64 to 8,192 texels; " +
+                                     std::to_string(s.shadowCascades) + " of " +
+                                     std::to_string(s.shadowResolution) + " were asked for.");
+    return {};
+}
+
+}  // namespace rushlight

@@ -1,0 +1,25 @@
+// A point that is lit: what every light, shadow and ambient term of lighting.glsl takes.
+#include "interop/brdf.h"
+
+struct LitSurface {
+    vec3 position;  // relative to the camera, world axes
+    float viewDepth;
+    vec3 baseColor;
+    float metallic;
+    float roughness;
+    float occlusion;
+    ShadingPoint point;
+};
+
+LitSurface makeLitSurface(vec3 position, float viewDepth, vec3 view, vec3 normal, vec3 baseColor,
+                          float metallic, float roughness, float occlusion) {
+    LitSurface s;
+    s.position = position;
+    s.viewDepth = viewDepth;
+    s.baseColor = baseColor;
+    s.metallic = metallic;
+    s.roughness = roughness;
+    s.occlusion = occlusion;
+    s.point = makeShadingPoint(baseColor, metallic, roughness, normal, view);
+    return s;
+}
