@@ -38,6 +38,7 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       plan_(device),
       gbufferPass_(device),
       shadowPass_(device),
+      shadowAtlasPass_(device),
       lightingPass_(device),
       forwardPass_(device),
       bloomPass_(device),
@@ -66,8 +67,13 @@ Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& o
     plan_.begin();
     prepareWorlds(input);
     gatherViews(input, output, *camera);
-    if (auto ok = planPasses(input, output, *camera); !ok) return ok;
-    if (auto ok = plan_.compile(); !ok) return ok;
+    planLightShadows(input, output, *camera);
+    auto planned = planPasses(input, output, *camera);
+    if (planned) planned = plan_.compile();
+    if (!planned) {
+        forgetCaches();  // what was planned is not drawn
+        return planned;
+    }
     fillLists();
     plan_.record(jobs_, commands_);
     if (output.offscreen)
@@ -142,30 +148,29 @@ void FrameRenderer::gatherViews(const FrameInput& input, const FrameOutput& outp
 
 // Writes the instance data of all lists that are drawn.
 void FrameRenderer::fillLists() {
-    std::array<DrawList*, 7> drawn{};
-    std::array<uint32_t, 8> firstJob{};
-    uint32_t count = 0;
+    drawnLists_.clear();
+    firstFillJobs_.assign(1, 0);
     const auto add = [&](DrawList& list) {
         list.allocate(commands_);
         const uint32_t jobs =
             uint32_t(list.items.size() + DrawList::kItemsPerJob - 1) / DrawList::kItemsPerJob;
-        drawn[count] = &list;
-        firstJob[count + 1] = firstJob[count] + jobs;
-        ++count;
+        drawnLists_.push_back(&list);
+        firstFillJobs_.push_back(firstFillJobs_.back() + jobs);
     };
     add(lists_.opaque);
     add(lists_.blended);
     add(lists_.movingEmission);
     for (uint32_t i = 0; i < cascades_.count; ++i)
         if (shadows_.drawnCascades >> i & 1) add(lists_.casters[i]);
-    jobs_.forRanges(firstJob[count], 1, [&](uint32_t begin, uint32_t end) {
+    shadowSchedule_.forEachList(add);
+    jobs_.forRanges(firstFillJobs_.back(), 1, [&](uint32_t begin, uint32_t end) {
         for (uint32_t job = begin; job < end; ++job) {
-            uint32_t list = 0;
-            while (job >= firstJob[list + 1]) ++list;
-            const uint32_t first = (job - firstJob[list]) * DrawList::kItemsPerJob;
-            const uint32_t size = uint32_t(drawn[list]->items.size());
-            drawn[list]->fill(commands_, frameWorlds_, first,
-                              std::min(first + DrawList::kItemsPerJob, size));
+            const auto after = std::ranges::upper_bound(firstFillJobs_, job);
+            const auto list = size_t(after - firstFillJobs_.begin()) - 1;
+            const uint32_t first = (job - firstFillJobs_[list]) * DrawList::kItemsPerJob;
+            const uint32_t size = uint32_t(drawnLists_[list]->items.size());
+            drawnLists_[list]->fill(commands_, frameWorlds_, first,
+                                    std::min(first + DrawList::kItemsPerJob, size));
         }
     });
 }
@@ -179,22 +184,7 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
     auto lighting = bindLighting(input, camera, output);
     if (!lighting) return tl::unexpected(lighting.error());
 
-    shadows_ = {};
-    if (cascades_.count > 0) {
-        ShadowPass::Inputs in;
-        in.cascades = &cascades_;
-        for (uint32_t i = 0; i < cascades_.count; ++i) {
-            in.casters[i] = &lists_.casters[i];
-            in.viewUniforms[i] = uniforms(makeViewUniforms(cascades_.cascades[i]));
-        }
-        in.binder = binder;
-        in.world = input.world;
-        in.caching = input.settings.shadowCaching;
-        auto shadows = shadowPass_.add(plan_, in);
-        if (!shadows) return tl::unexpected(shadows.error());
-        shadows_ = *shadows;
-        lighting->shadowMap = shadows_.map;
-    }
+    if (auto ok = addShadowPasses(input, *lighting); !ok) return ok;
 
     auto gbuffer = gbufferPass_.add(plan_, {&lists_.opaque, binder, viewUniforms, width, height});
     if (!gbuffer) return tl::unexpected(gbuffer.error());

@@ -8,6 +8,7 @@
 #include "renderer/frame/frame_plan.h"
 #include "renderer/frame/host_worlds.h"
 #include "renderer/frame/light_clusters.h"
+#include "renderer/frame/shadow_schedule.h"
 #include "renderer/frame/visibility.h"
 #include "renderer/passes/bloom_pass.h"
 #include "renderer/passes/bounds_pass.h"
@@ -18,6 +19,7 @@
 #include "renderer/passes/gbuffer_pass.h"
 #include "renderer/passes/lighting_pass.h"
 #include "renderer/passes/overlay_pass.h"
+#include "renderer/passes/shadow_atlas_pass.h"
 #include "renderer/passes/shadow_pass.h"
 #include "renderer/passes/tonemap_pass.h"
 #include "renderer/renderer.h"
@@ -49,7 +51,10 @@ public:
         return geometry.create(meshes, handles, jobs_);
     }
     Result<void> render(const FrameInput&, const FrameOutput&, const FrameOptions&);
-    void forgetCaches() { shadowPass_.forget(); }
+    void forgetCaches() {
+        shadowPass_.forget();
+        shadowLights_.forget();
+    }
     void setValidation(bool on) { validates_ = on; }
 
     const FrameReport& report();
@@ -62,6 +67,9 @@ private:
     void gatherViews(const FrameInput&, const FrameOutput&, const CameraMatrices&);
     void fillLists();
     void planShadows(const FrameInput&, const CameraMatrices&);
+    void planLightShadows(const FrameInput&, const FrameOutput&, const CameraMatrices&);
+    Result<void> addShadowPasses(const FrameInput&, LightingBindings&);
+    Result<void> addLightShadowPass(LightingBindings&);
     Result<void> planPasses(const FrameInput&, const FrameOutput&, const CameraMatrices&);
     Result<LightingBindings> bindLighting(const FrameInput&, const CameraMatrices&,
                                           const FrameOutput&);
@@ -83,6 +91,7 @@ private:
     FramePlan plan_;
     GBufferPass gbufferPass_;
     ShadowPass shadowPass_;
+    ShadowAtlasPass shadowAtlasPass_;
     LightingPass lightingPass_;
     ForwardPass forwardPass_;
     BloomPass bloomPass_;
@@ -110,6 +119,11 @@ private:
     int sun_ = -1;
     bool warnedRejected_ = false;
     ShadowPass::Outputs shadows_;
+    ShadowLights shadowLights_;
+    ShadowSchedule shadowSchedule_;
+    ShadowLights::Counts shadowLightCounts_;
+    std::vector<DrawList*> drawnLists_;
+    std::vector<uint32_t> firstFillJobs_;  ///< of drawnLists_, and the end
     ImageId capturedImage_;
     uint64_t frameNumber_ = 0;
 };

@@ -35,7 +35,7 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
     for (const PunctualLight& light : lighting.punctual)
         if (!std::isfinite(glm::length(light.position) + glm::length(light.intensity) +
                            glm::length(light.direction) + light.range + light.innerConeAngle +
-                           light.outerConeAngle))
+                           light.outerConeAngle + light.radius + light.shadowNear))
             return wrong("lighting", "a point or spot light is not finite.");
     if (input.world && !worlds.find(input.world))
         return wrong("frame", "its world is a stale handle.");
@@ -67,6 +67,13 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
         return wrong("settings", "shadows need 1 to 4 cascades of 64 to 8,192 texels; " +
                                      std::to_string(s.shadowCascades) + " of " +
                                      std::to_string(s.shadowResolution) + " were asked for.");
+    if (s.shadows && s.lightShadows &&
+        (s.shadowAtlasSize < 256 || s.shadowAtlasSize > 16384 || s.shadowTileSize < 64 ||
+         s.shadowTileSize > s.shadowAtlasSize))
+        return wrong("settings", "shadows of point and spot lights need an atlas of 256 to 16,384 texels "
+                                 "and tiles of 64 texels to its size; " +
+                                     std::to_string(s.shadowAtlasSize) + " and " +
+                                     std::to_string(s.shadowTileSize) + " were asked for.");
     return {};
 }
 

@@ -4,21 +4,6 @@
 
 namespace rushlight {
 
-void FrameRenderer::planShadows(const FrameInput& input, const CameraMatrices& camera) {
-    sun_ = input.settings.shadows ? findSun(input.lighting) : -1;
-    cascades_.count = 0;
-    if (sun_ < 0) return;
-    const Aabb bounds = frameWorlds_.bounds();
-    if (bounds.isEmpty()) return;
-    ShadowCascadeDesc desc;
-    desc.lightDirection = input.lighting.directional[size_t(sun_)].direction;
-    desc.count = input.settings.shadowCascades;
-    desc.resolution = input.settings.shadowResolution;
-    desc.distance = input.settings.shadowDistance;
-    desc.sceneBounds = bounds;
-    cascades_ = makeShadowCascades(camera, desc);
-}
-
 Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
                                                      const CameraMatrices& camera,
                                                      const FrameOutput& output) {

@@ -35,8 +35,11 @@ void FrameRenderer::fillReport(const FrameInput& input) {
         r.instances - r.rejected - r.visible - r.culledSmall - r.culledOcclusion;
     r.lights = uint32_t(input.lighting.directional.size() + input.lighting.punctual.size());
     r.lightsVisible = uint32_t(input.lighting.directional.size()) + clusters_.visibleLights;
-    r.shadowViewsDrawn = shadows_.drawn;
-    r.shadowViewsCached = shadows_.cached;
+    r.shadowViewsDrawn = shadows_.drawn + uint32_t(shadowSchedule_.draws().size());
+    r.shadowViewsCached = shadows_.cached + shadowSchedule_.cached();
+    r.shadowLights = shadowLightCounts_.lights;
+    r.shadowLightsReduced = shadowLightCounts_.reduced;
+    r.shadowLightsWithout = shadowLightCounts_.without;
     if (r.rejected > 0 && !warnedRejected_) {
         warnedRejected_ = true;
         log_(LogLevel::warning,

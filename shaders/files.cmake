@@ -37,6 +37,8 @@ set(RUSHLIGHT_SHADER_FILES
   passes/luminance.frag
   passes/overlay.frag
   passes/overlay.vert
+  passes/shadow_tile.frag
+  passes/shadow_tile.vert
   passes/surface.vert
   passes/tonemap.frag
 )

@@ -43,6 +43,9 @@ struct FrameReport {
     uint32_t lightsVisible = 0;
     uint32_t shadowViewsDrawn = 0;
     uint32_t shadowViewsCached = 0;
+    uint32_t shadowLights = 0;         ///< point and spot lights in view that have a shadow map
+    uint32_t shadowLightsReduced = 0;  ///< of those, coarser than their size on screen asks for: the atlas is full
+    uint32_t shadowLightsWithout = 0;  ///< that should have one and found no room
     uint32_t waits = 0;       ///< of the CPU for the GPU
     uint32_t queueWaits = 0;  ///< of render() for the serving thread, all frames in flight being taken
     uint32_t synchronousCalls = 0;  ///< of the frame and what was created before it to the serving thread; warm: none

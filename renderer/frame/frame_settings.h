@@ -7,6 +7,11 @@ namespace rushlight {
 
 enum class ToneMap : uint8_t { none, neutral, agx, aces };
 enum class AntiAliasing : uint8_t { off, fxaa };
+enum class ShadowFilter : uint8_t {
+    hard,  ///< one bilinear comparison
+    pcf,   ///< a tent of 3x3 of them
+    soft,  ///< penumbrae that grow with the distance from what casts them, by the size of the light
+};
 
 /// What the last pass shows instead of the frame, for looking into it. In the deck's order.
 enum class ShownImage : uint8_t {
@@ -36,6 +41,10 @@ struct FrameSettings {
     uint32_t shadowResolution = 2048;
     float shadowDistance = 0;  ///< metres; 0: chosen from the scene and the far plane
     bool shadowCaching = true;  ///< a cascade whose view and casters are those of the last frame is not drawn again
+    bool lightShadows = false;  ///< of point and spot lights (PunctualLight::castsShadow)
+    uint32_t shadowAtlasSize = 4096;  ///< texels a side of the map that those lights share; 256 to 16,384, rounded down to 2^n
+    uint32_t shadowTileSize = 512;    ///< the most texels a side of a light's face; 64 to shadowAtlasSize, rounded down to 2^n
+    ShadowFilter shadowFilter = ShadowFilter::pcf;
     bool bloom = true;
     float bloomStrength = 0.04f;
     float exposureScale = 1;     ///< linear factor on radiance, used when neither below is

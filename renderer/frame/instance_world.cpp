@@ -251,6 +251,7 @@ void InstanceWorld::place() {
             continue;
         }
         const bool inMoving = at & kMovingBit;
+        ++versions_[inMoving];
         if (valid && (inMoving || !change.boxChanged)) continue;
         indices_[inMoving].remove(at & ~kMovingBit);
         at = kNowhere;
@@ -261,6 +262,7 @@ void InstanceWorld::place() {
     // Few newcomers join what moves; many are worth building the large index again.
     SpatialIndex& still = indices_[kStillIndex];
     const bool many = fresh_.size() > 16 + still.size() / 4;
+    if (many) ++versions_[kStillIndex];
     if (many || still.positionCount() > 256 + 2 * still.size()) {
         for (uint32_t slot : fresh_) places_[slot] = kArriving;
         rebuild(kStillIndex);
@@ -269,6 +271,7 @@ void InstanceWorld::place() {
         still.refit();
     }
     SpatialIndex& moving = indices_[kMovingIndex];
+    if (!movers_.empty()) ++versions_[kMovingIndex];
     for (uint32_t slot : movers_)
         places_[slot] = moving.append({slot, records_[slot].box}) | kMovingBit;
     moving.refit();

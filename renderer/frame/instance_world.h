@@ -67,6 +67,8 @@ public:
         return previous_[record.previousTransform];
     }
     std::span<const SpatialIndex> indices() const { return indices_; }
+    /// Another number whenever anything in that index changed: what it holds, where it is or how it is drawn.
+    uint64_t version(uint32_t index) const { return versions_[index]; }
     uint32_t count() const { return count_; }
     uint32_t rejected() const { return count_ - indices_[kStillIndex].size() - indices_[kMovingIndex].size(); }
     Aabb bounds() const;     ///< of all that are not rejected
@@ -107,6 +109,7 @@ private:
     std::span<const mat4x3> previous_;     ///< given or own
     std::vector<SpatialIndex::Object> objects_;
     std::array<SpatialIndex, 2> indices_;
+    std::array<uint64_t, 2> versions_{};
     uint32_t count_ = 0;
     uint32_t lastStamp_ = 0;
     size_t lastPreviousCount_ = 0;

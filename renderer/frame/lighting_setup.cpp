@@ -19,6 +19,12 @@ interop::ViewUniforms makeViewUniforms(const ShadowCascade& cascade) {
     return u;
 }
 
+interop::ViewUniforms makeViewUniforms(const ShadowView& view) {
+    interop::ViewUniforms u{};
+    u.clipFromWorld = u.previousClipFromWorld = view.clipFromWorld;
+    return u;
+}
+
 int findSun(const Lighting& lighting) {
     for (size_t i = 0; i < lighting.directional.size(); ++i)
         if (lighting.directional[i].castsShadow) return int(i);

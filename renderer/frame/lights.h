@@ -19,6 +19,9 @@ struct PunctualLight {
     vec3 direction{0, -1, 0};   ///< unit, world space, the way a spot shines
     float innerConeAngle = 0;   ///< radians from the axis
     float outerConeAngle = -1;  ///< < 0: a point light
+    bool castsShadow = false;
+    float radius = 0;           ///< metres, of the source, for soft shadows; 0: a point
+    float shadowNear = 0.05f;   ///< metres; what is nearer to the light casts no shadow: its own bulb or housing
 };
 
 enum class Background : uint8_t { color, environment, transparent };

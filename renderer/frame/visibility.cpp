@@ -1,6 +1,6 @@
 #include "renderer/frame/visibility.h"
 
-#include "renderer/frame/surface_variant.h"
+#include "renderer/frame/caster.h"
 
 #include <bit>
 
@@ -8,16 +8,6 @@ namespace rushlight {
 namespace {
 
 constexpr uint32_t kBlocksPerChunk = 8;
-
-// A caster's shader depends on its material only where alpha cuts it. A closed mesh casts the same shadow with its
-// back faces culled; kDoubleSided stands for "do not cull".
-uint32_t shadowFlags(uint32_t flags, const GpuMesh& mesh) {
-    if (flags & kAlphaMask)
-        return kAlphaMask | kDoubleSided |
-               (flags & (kBaseColorTexture | kSecondUv | kUvTransforms | kExtended));
-    if (!mesh.closed || (flags & kDoubleSided)) return kDoubleSided | (flags & kExtended);
-    return flags & (kMirrored | kExtended);
-}
 
 bool emitsWhileMoving(const VisibleItem& item) {
     constexpr uint32_t kBoth = kMoving | kEmissive;
@@ -94,19 +84,14 @@ void Visibility::addToCamera(const Inputs& in, uint32_t object, InstanceRecord& 
 
 void Visibility::addToCascade(const Inputs& in, uint32_t cascade, uint32_t object,
                               const InstanceRecord& r, Chunk& chunk) const {
-    if ((r.surfaceFlags & kBlend) || !(r.instanceFlags & kInstanceCastsShadow)) return;
+    if (!castsShadow(r)) return;
     const DetailScale& scale = cascadeScales_[cascade];
     if (2 * r.radius * scale.pixelsPerMetre < scale.minSize) return;
     if (in.settings->frustumCulling &&
         in.cascades->isFinerElsewhere(cascade, r.center(), r.box.halfExtent()))
         return;
     const GpuMesh& mesh = *in.geometry->find(r.mesh);
-    VisibleItem item;
-    item.object = object;
-    item.flags = uint16_t(shadowFlags(r.surfaceFlags, mesh));
-    item.lod = uint8_t(pickLod(mesh, scale.maxError / (scale.pixelsPerMetre * r.scale)));
-    item.key = shadowKey(item.flags, item.flags & kAlphaMask ? r.textureSet : 0, r.mesh.index(),
-                         item.lod);
+    const VisibleItem item = makeCaster(object, r, mesh, scale.maxError, scale.pixelsPerMetre);
     chunk.items[kFirstCaster + cascade].push_back(item);
 }
 

@@ -32,7 +32,7 @@ Result<ForwardPass::Outputs> ForwardPass::add(FramePlan& plan, const Inputs& inp
     if (auto ok = emission_.assign(*inputs.movingEmissive, kEmission); !ok)
         return tl::unexpected(ok.error());
     const PassTargets::Color colors[] = {{inputs.radiance, LoadOp::keep}};
-    const ImageId reads[] = {inputs.lighting.shadowMap};
+    const ImageId reads[] = {inputs.lighting.shadowMap, inputs.lighting.shadowAtlas};
     PassTargets targets;
     targets.colors = colors;
     targets.depth = {inputs.depth, LoadOp::keep, 0, true};

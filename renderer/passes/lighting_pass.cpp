@@ -110,7 +110,8 @@ Result<LightingPass::Outputs> LightingPass::add(FramePlan& plan, const Inputs& i
         plan.createImage({"radiance", Format::rgba16f, inputs.width, inputs.height});
     const PassTargets::Color colors[] = {{out.radiance, LoadOp::discard}};
     const GBufferPass::Outputs& g = inputs.gbuffer;
-    const ImageId reads[] = {g.target0, g.target1, g.target2, g.depth, inputs.lighting.shadowMap};
+    const ImageId reads[] = {g.target0, g.target1, g.target2, g.depth,
+                             inputs.lighting.shadowMap, inputs.lighting.shadowAtlas};
     PassTargets targets;
     targets.colors = colors;
     targets.depth = {g.depth, LoadOp::keep, 0, true};

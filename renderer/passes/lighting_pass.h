@@ -30,6 +30,8 @@ struct LightingBindings {
     BufferRange uniforms;  ///< interop::LightingUniforms
     BufferRange lights, clusters, lightIndices;
     ImageId shadowMap;  ///< null without shadows
+    ImageId shadowAtlas;       ///< of point and spot lights; null when none has a shadow
+    BufferRange shadowFaces;   ///< GpuShadowFace
     SamplerHandle shadowSampler;
     TextureHandle environment;  ///< prefiltered cube
     TextureHandle irradiance;   ///< cube

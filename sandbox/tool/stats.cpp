@@ -37,6 +37,9 @@ ordered_json frameJson(const FrameReport& r, const FrameTimes& times) {
             {"lights_visible", r.lightsVisible},
             {"shadow_views_drawn", r.shadowViewsDrawn},
             {"shadow_views_cached", r.shadowViewsCached},
+            {"shadow_lights", r.shadowLights},
+            {"shadow_lights_reduced", r.shadowLightsReduced},
+            {"shadow_lights_without", r.shadowLightsWithout},
             {"waits", r.waits}};
 }
 

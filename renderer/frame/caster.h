@@ -1,0 +1,36 @@
+#pragma once
+// How an object is drawn into a shadow map.
+
+#include "renderer/frame/detail.h"
+#include "renderer/frame/draw_list.h"
+#include "renderer/frame/surface_variant.h"
+
+namespace rushlight {
+
+/// A caster's shader depends on its material only where alpha cuts it. A closed mesh casts the same shadow with its back
+/// faces culled; kDoubleSided stands for "do not cull".
+inline uint32_t shadowFlags(uint32_t flags, const GpuMesh& mesh) {
+    if (flags & kAlphaMask)
+        return kAlphaMask | kDoubleSided |
+               (flags & (kBaseColorTexture | kSecondUv | kUvTransforms | kExtended));
+    if (!mesh.closed || (flags & kDoubleSided)) return kDoubleSided | (flags & kExtended);
+    return flags & (kMirrored | kExtended);
+}
+
+inline bool castsShadow(const InstanceRecord& r) {
+    return !(r.surfaceFlags & kBlend) && (r.instanceFlags & kInstanceCastsShadow);
+}
+
+/// `texelsPerMetre` as DetailScale::at gives them.
+inline VisibleItem makeCaster(uint32_t object, const InstanceRecord& r, const GpuMesh& mesh,
+                              float maxError, float texelsPerMetre) {
+    VisibleItem item;
+    item.object = object;
+    item.flags = uint16_t(shadowFlags(r.surfaceFlags, mesh));
+    item.lod = uint8_t(pickLod(mesh, maxError / (texelsPerMetre * r.scale)));
+    item.key = shadowKey(item.flags, item.flags & kAlphaMask ? r.textureSet : 0, r.mesh.index(),
+                         item.lod);
+    return item;
+}
+
+}  // namespace rushlight

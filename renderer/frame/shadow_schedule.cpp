@@ -1,0 +1,104 @@
+#include "renderer/frame/shadow_schedule.h"
+
+#include "engine/core/hash.h"
+
+namespace rushlight {
+namespace {
+
+constexpr uint32_t kStill = 0, kMoving = 1;  // indices of a world
+
+uint64_t stillContent(const ShadowFace& face) { return mixBits(face.viewKey ^ mixBits(face.stillHash)) | 1; }
+uint64_t content(const ShadowFace& face) {
+    return mixBits(stillContent(face) + mixBits(face.movingHash)) | 1;
+}
+
+}  // namespace
+
+uint64_t ShadowSchedule::versionOf(const Inputs& in, uint32_t index) const {
+    uint64_t version = mixBits(in.world.value + 1);
+    for (const InstanceWorld* world : in.worlds.worlds)
+        version = mixBits(version + (world ? world->version(index) + 1 : 0));
+    return version | 1;
+}
+
+void ShadowSchedule::hashCasters(const Inputs& in, uint32_t index, JobSystem& jobs) {
+    const uint64_t version = versionOf(in, index);
+    // What the hash was made of: the view too.
+    const auto key = [&](const ShadowFace& face) { return mixBits(version ^ face.viewKey) | 1; };
+    asked_.clear();
+    views_.clear();
+    for (ShadowFace* face : in.faces) {
+        const uint64_t known = index == kStill ? face->stillVersion : face->movingVersion;
+        if (known == key(*face)) continue;
+        asked_.push_back(face);
+        views_.push_back(&face->view);
+    }
+    if (asked_.empty()) return;
+    visibility_.gather({in.worlds, in.geometry, views_, 1u << index}, jobs);
+    for (uint32_t i = 0; i < asked_.size(); ++i) {
+        ShadowFace& face = *asked_[i];
+        const uint64_t hash = visibility_.found(i).hash;
+        (index == kStill ? face.stillHash : face.movingHash) = hash;
+        (index == kStill ? face.stillVersion : face.movingVersion) = key(face);
+    }
+}
+
+void ShadowSchedule::chooseDraws(const Inputs& in) {
+    draws_.clear();
+    for (auto& requests : requests_) requests.clear();
+    cached_ = 0;
+    for (ShadowFace* face : in.faces) {
+        const uint64_t wanted = content(*face);
+        if (in.caching && face->drawn == wanted) {
+            ++cached_;
+            continue;
+        }
+        const uint32_t number = uint32_t(draws_.size());
+        ShadowDraw& draw = draws_.emplace_back();
+        draw.face = face;
+        const bool layerIsGood = in.caching && face->drawnStill == stillContent(*face);
+        // A light that moves itself would draw its layer for one use.
+        const bool stands = in.caching && face->drawnView == face->viewKey;
+        draw.fromLayer = layerIsGood || (stands && face->stillHash && face->movingHash);
+        if (!layerIsGood && face->stillHash)
+            requests_[kStill].push_back(
+                {number, draw.fromLayer ? &ShadowDraw::layerCasters : &ShadowDraw::still});
+        if (face->movingHash) requests_[kMoving].push_back({number, &ShadowDraw::moving});
+        if (draw.fromLayer) face->drawnStill = stillContent(*face);
+        face->drawn = wanted;
+        face->drawnView = face->viewKey;
+    }
+}
+
+// Gives each draw that wants casters of that index a list with them.
+void ShadowSchedule::listCasters(const Inputs& in, uint32_t index, JobSystem& jobs) {
+    const std::span<const Request> requests(requests_[index]);
+    if (requests.empty()) return;
+    views_.clear();
+    for (const Request& request : requests) views_.push_back(&draws_[request.draw].face->view);
+    visibility_.gather({in.worlds, in.geometry, views_, 1u << index}, jobs);
+    const uint32_t first = usedLists_;
+    usedLists_ += uint32_t(requests.size());
+    for (uint32_t i = 0; i < requests.size(); ++i) {
+        DrawList& list = lists_[first + i];
+        const auto items = visibility_.found(i).items;
+        list.items.assign(items.begin(), items.end());
+        draws_[requests[i].draw].*requests[i].list = &list;
+    }
+    jobs.forRanges(uint32_t(requests.size()), 1, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t i = begin; i < end; ++i)
+            lists_[first + i].arrange(in.worlds, *in.geometry, true);
+    });
+}
+
+void ShadowSchedule::plan(const Inputs& in, JobSystem& jobs) {
+    hashCasters(in, kStill, jobs);
+    hashCasters(in, kMoving, jobs);
+    chooseDraws(in);
+    usedLists_ = 0;
+    if (lists_.size() < 2 * draws_.size()) lists_.resize(2 * draws_.size());
+    listCasters(in, kStill, jobs);
+    listCasters(in, kMoving, jobs);
+}
+
+}  // namespace rushlight
