@@ -9,6 +9,7 @@ struct DirectionalLight {
     vec3 direction{0, -1, 0};  ///< unit, world space, the way the light travels
     vec3 illuminance{1};       ///< lux times colour
     bool castsShadow = true;
+    float angularRadius = 0.00465f;  ///< radians, half of what its disk spans, for soft shadows; the sun's
 };
 
 /// Point and spot lights. Attenuation as KHR_lights_punctual: max(min(1-(d/range)^4, 1), 0) / d².
