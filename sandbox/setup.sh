@@ -3,7 +3,7 @@
 
 rushlight_packages="cmake ninja-build g++ ccache pkg-config
 libglfw3-dev libegl-dev libgl-dev libegl1 libgl1-mesa-dri libosmesa6
-libglm-dev libtinygltf-dev libdraco-dev libmeshoptimizer-dev libopenimageio-dev openimageio-tools libtbb-dev libhwy-dev
+libglm-dev libtinygltf-dev libdraco-dev libmeshoptimizer-dev libopenimageio-dev openimageio-tools libtbb-dev libhwy-dev libembree-dev
 libimgui-dev libstb-dev libcli11-dev nlohmann-json3-dev libexpected-dev libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth"
 
 rushlight_install() {

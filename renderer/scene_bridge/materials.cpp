@@ -61,9 +61,7 @@ MaterialUploads::~MaterialUploads() {
     for (const auto& [use, image] : images_) renderer_.destroy(image);
 }
 
-Result<ImageHandle> MaterialUploads::findImage(int image, bool srgb) {
-    const auto found = images_.find({image, srgb});
-    if (found != images_.end()) return found->second;
+ImageDesc MaterialUploads::imageDesc(int image, bool srgb) const {
     const assets::Image& from = model_.images[size_t(image)];
     ImageDesc desc;
     desc.label = from.name;
@@ -71,7 +69,13 @@ Result<ImageHandle> MaterialUploads::findImage(int image, bool srgb) {
     desc.height = from.height;
     desc.srgb = srgb;
     desc.pixels = from.pixels;
-    auto handle = renderer_.createImage(desc);
+    return desc;
+}
+
+Result<ImageHandle> MaterialUploads::findImage(int image, bool srgb) {
+    const auto found = images_.find({image, srgb});
+    if (found != images_.end()) return found->second;
+    auto handle = renderer_.createImage(imageDesc(image, srgb));
     if (handle) images_[{image, srgb}] = *handle;
     return handle;
 }
@@ -85,10 +89,7 @@ Result<void> MaterialUploads::setTexture(const assets::TextureUse& use, bool srg
     return {};
 }
 
-Result<MaterialHandle> MaterialUploads::find(int material) {
-    if (material < 0) return MaterialHandle{};
-    MaterialHandle& handle = materials_[size_t(material)];
-    if (handle) return handle;
+Result<MaterialDesc> MaterialUploads::materialDesc(int material) {
     const assets::Material& from = model_.materials[size_t(material)];
     MaterialDesc desc = factorsOf(from);
 
@@ -105,9 +106,30 @@ Result<MaterialHandle> MaterialUploads::find(int material) {
         if (auto set = setTexture(use.from, use.srgb, use.slot); !set)
             return tl::unexpected(set.error());
 
-    auto created = renderer_.createMaterial(desc);
+    return desc;
+}
+
+Result<MaterialHandle> MaterialUploads::find(int material) {
+    if (material < 0) return MaterialHandle{};
+    MaterialHandle& handle = materials_[size_t(material)];
+    if (handle) return handle;
+    const auto desc = materialDesc(material);
+    if (!desc) return tl::unexpected(desc.error());
+    auto created = renderer_.createMaterial(*desc);
     if (created) handle = *created;
     return created;
+}
+
+Result<void> MaterialUploads::describe(ResourceSink& sink) {
+    for (const auto& [use, handle] : images_)
+        if (auto ok = sink.image(handle, imageDesc(use.first, use.second)); !ok) return ok;
+    for (size_t i = 0; i < materials_.size(); ++i) {
+        if (!materials_[i]) continue;
+        const auto desc = materialDesc(int(i));
+        if (!desc) return tl::unexpected(desc.error());
+        if (auto ok = sink.material(materials_[i], *desc); !ok) return ok;
+    }
+    return {};
 }
 
 }  // namespace rushlight

@@ -2,6 +2,7 @@
 
 #include "engine/assets/model.h"
 #include "renderer/renderer.h"
+#include "renderer/scene_bridge/resource_sink.h"
 
 #include <map>
 #include <vector>
@@ -20,8 +21,12 @@ public:
 
     /// Of Model::materials; zero, the default material, for -1.
     Result<MaterialHandle> find(int material);
+    /// What was uploaded: images, then materials.
+    Result<void> describe(ResourceSink& sink);
 
 private:
+    ImageDesc imageDesc(int image, bool srgb) const;
+    Result<MaterialDesc> materialDesc(int material);
     Result<void> setTexture(const assets::TextureUse&, bool srgb, TextureSlot&);
     Result<ImageHandle> findImage(int image, bool srgb);
 

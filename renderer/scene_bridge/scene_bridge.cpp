@@ -36,6 +36,8 @@ struct SceneBridge::State {
     Result<void> addInstance(const scene::Drawable&, MeshHandle);
     Result<void> createMeshes();
     Result<void> deform(size_t instance);
+    MeshDesc deformedDesc(size_t instance);
+    Result<void> describeMeshes(ResourceSink&);
     void move(size_t instance, const mat4x3& to);
     Result<void> setPose(scene::Pose);
 
@@ -101,7 +103,8 @@ Result<void> SceneBridge::State::addInstances() {
     return setPose(std::move(now));
 }
 
-Result<void> SceneBridge::State::deform(size_t i) {
+/// In `scratch`.
+MeshDesc SceneBridge::State::deformedDesc(size_t i) {
     const scene::Drawable& drawable = drawables[i];
     const assets::Geometry& geometry = model.geometries[size_t(drawable.geometry)];
     scene::applySkinAndMorph(model, now, drawable.node, geometry, scratch);
@@ -109,9 +112,27 @@ Result<void> SceneBridge::State::deform(size_t i) {
     desc.positions = scratch.positions;
     desc.normals = scratch.normals;
     desc.tangents = scratch.tangents;
+    return desc;
+}
+
+Result<void> SceneBridge::State::deform(size_t i) {
+    const MeshDesc desc = deformedDesc(i);
     bounds[i] = {};
-    for (const vec3& position : scratch.positions) bounds[i].grow(position);
+    for (const vec3& position : desc.positions) bounds[i].grow(position);
     return renderer.updateMesh(instances[i].mesh, desc);
+}
+
+Result<void> SceneBridge::State::describeMeshes(ResourceSink& sink) {
+    std::vector<bool> done(meshes.size());
+    for (size_t i = 0; i < drawables.size(); ++i) {
+        if (done[meshOf[i]]) continue;
+        done[meshOf[i]] = true;
+        const MeshDesc desc = drawables[i].deforms
+                                  ? deformedDesc(i)
+                                  : meshDesc(model.geometries[size_t(drawables[i].geometry)]);
+        if (auto ok = sink.mesh(meshes[meshOf[i]], desc); !ok) return ok;
+    }
+    return {};
 }
 
 void SceneBridge::State::move(size_t i, const mat4x3& to) {
@@ -162,6 +183,11 @@ void SceneBridge::fill(FrameInput& input) const {
     input.previousTransforms = state_->previousTransforms;
     input.lighting.directional = state_->lights.directional;
     input.lighting.punctual = state_->lights.punctual;
+}
+
+Result<void> SceneBridge::describe(ResourceSink& sink) const {
+    if (auto ok = state_->materials.describe(sink); !ok) return ok;
+    return state_->describeMeshes(sink);
 }
 
 bool SceneBridge::hasLights() const {

@@ -4,6 +4,7 @@
 
 #include "engine/assets/model.h"
 #include "renderer/renderer.h"
+#include "renderer/scene_bridge/resource_sink.h"
 
 #include <memory>
 #include <optional>
@@ -29,6 +30,9 @@ public:
     /// Fills the instances, previous transforms and lights. The spans are good until the next
     /// pose().
     void fill(FrameInput& input) const;
+
+    /// Hands over what the renderer was given, deformed meshes in their present pose.
+    Result<void> describe(ResourceSink& sink) const;
 
     bool hasLights() const;
     Aabb bounds() const;  ///< of all instances, world space; empty when nothing is shown

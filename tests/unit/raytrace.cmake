@@ -1,0 +1,7 @@
+# Rays through scenes, and what is baked by them.
+find_package(Threads REQUIRED)
+add_executable(raytrace_test
+  ray_scene_test.cpp)
+target_link_libraries(raytrace_test PRIVATE
+  rushlight_raytrace rushlight_jobs Threads::Threads GTest::gtest_main rushlight_options)
+gtest_discover_tests(raytrace_test)
