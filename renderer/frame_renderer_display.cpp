@@ -50,6 +50,7 @@ Result<void> FrameRenderer::planDebugView(const FrameInput& input, const FinalTa
     in.gbuffer = gbuffer;
     in.shadowMap = lighting.shadowMap;
     in.shadowCascades = cascades_.count;
+    in.shadowAtlas = lighting.shadowAtlas;
     in.clusters = lighting.clusters;
     in.clusterWords = clusters_.recordWords;
     in.clusterMapping = clusters_.mapping();

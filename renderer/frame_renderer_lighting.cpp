@@ -9,7 +9,7 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
                                                      const FrameOutput& output) {
     const Lighting& lighting = input.lighting;
     clusters_.build(camera, output.target.width, output.target.height,
-                    {lighting.punctual, {}});
+                    {lighting.punctual, shadowLights_.records()});
     const GpuEnvironment* environment = environments.find(lighting.environment);
 
     LightingBindings b;
@@ -29,7 +29,10 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
         b.clusters = commands_.append(std::span<const uint32_t>(clusters_.clusters));
         b.lightIndices = commands_.append(std::span<const uint16_t>(clusters_.indices));
     }
-    b.shadowSampler = shadowSampler_;
+    b.features.punctualShadow = !shadowLights_.records().empty() && b.features.modulatedLights;
+    b.features.shadowFilter = input.settings.shadowFilter;
+    b.shadowSampler = b.features.shadowFilter == ShadowFilter::soft ? linearSampler_  // gathers do not filter
+                                                                    : shadowSampler_;
     b.cubeSampler = cubeSampler_;
     b.linearSampler = linearSampler_;
     if (environment) {

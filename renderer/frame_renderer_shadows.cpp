@@ -15,6 +15,8 @@ void FrameRenderer::planShadows(const FrameInput& input, const CameraMatrices& c
     desc.count = input.settings.shadowCascades;
     desc.resolution = input.settings.shadowResolution;
     desc.distance = input.settings.shadowDistance;
+    desc.rim = input.settings.shadowFilter == ShadowFilter::soft ? RL_SHADOW_RIM_SOFT
+                                                                 : RL_SHADOW_RIM;
     desc.sceneBounds = bounds;
     cascades_ = makeShadowCascades(camera, desc);
 }

@@ -10,6 +10,8 @@ set(RUSHLIGHT_SHADER_FILES
   common/lighting_varyings.glsl
   common/lit_surface.glsl
   common/material.glsl
+  common/punctual_shadow.glsl
+  common/shadow_filter.glsl
   common/sun_shadow.glsl
   common/surface_inputs.glsl
   interop/bindings.h

@@ -25,7 +25,7 @@ enum class ShownImage : uint8_t {
     occlusion,
     velocity,
     depth,
-    shadow,    ///< the cascades side by side
+    shadow,    ///< the cascades side by side, and the atlas of point and spot lights
     clusters,  ///< lights per froxel as a heat map
     lighting,  ///< HDR after deferred lighting, before forward
     forward,   ///< HDR after forward

@@ -52,7 +52,7 @@ void fillRays(const CameraMatrices& camera, interop::LightingUniforms& u) {
     u.viewDirection = vec4(camera.forward, 0);
 }
 
-void fillShadows(const CameraMatrices& camera, const ShadowCascades& cascades,
+void fillShadows(const CameraMatrices& camera, const ShadowCascades& cascades, float angularRadius,
                  interop::LightingUniforms& u) {
     // Rows from camera-relative positions: the camera's own place goes into the constant.
     for (int i = 0; i < 3; ++i) {
@@ -64,7 +64,11 @@ void fillShadows(const CameraMatrices& camera, const ShadowCascades& cascades,
         u.shadowCascades[i] = {c.uvPerMetre, c.uvOffset.x, c.uvOffset.y, c.metresPerTexel};
     }
     const float resolution = float(cascades.resolution);
-    u.shadowSettings = {float(cascades.count), resolution, 1 / resolution, 0};
+    const bool fades = cascades.cascades[cascades.count - 1].followsCamera;
+    u.shadowSettings = {float(cascades.count), resolution, 1 / resolution,
+                        fades ? 1 / float(RL_CASCADE_BAND) : 1e6f};
+    const float depthPerMetre = glm::length(vec3(cascades.rows[2]));
+    u.shadowSoftness = {std::tan(angularRadius) / depthPerMetre, depthPerMetre, 0, 0};
 }
 
 }  // namespace
@@ -78,7 +82,8 @@ interop::LightingUniforms makeLightingUniforms(const CameraMatrices& camera,
     fillRays(camera, u);
     u.clusterMapping = clusters.mapping();
     u.clusterCounts = clusters.counts();
-    if (cascades.count > 0) fillShadows(camera, cascades, u);
+    if (cascades.count > 0) 
+        fillShadows(camera, cascades, lighting.directional[size_t(sun)].angularRadius, u);
 
     const size_t count = lighting.directional.size();
     for (size_t i = 0; i < count; ++i) {

@@ -1,5 +1,7 @@
 #include "renderer/frame/shadow_cascades.h"
 
+#include "shaders/interop/frame_uniforms.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,10 +41,8 @@ float farthestDepth(const CameraMatrices& camera, const Aabb& bounds) {
 // A step of 2^(1/8): the size of a cascade that follows the scene's bounds changes rarely, and so does its texel grid.
 float roundUpRadius(float radius) { return std::exp2(std::ceil(std::log2(radius) * 8) / 8); }
 
-// Of a finer cascade receivers use all but this rim (pickCascade in shaders/common/lighting.glsl), ...
-constexpr float kRimTexels = 3;
-// ... and around them the filter and the normal offset reach this far in the coarser one's texels.
-constexpr float kReachTexels = 6;
+// Around a receiver the filter and the normal offset reach this far.
+float reachTexels(const ShadowCascades& cascades) { return 2 * cascades.rim; }
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void ShadowCascades::addVolume(uint32_t index, const Frustum& camera, CullVolume
     volume.add(cascade.frustum);
     if (cascade.followsCamera)
         addSwept(volume, camera, glm::normalize(vec3(rows[2])),
-                 kReachTexels * cascade.metresPerTexel);
+                 reachTexels(*this) * cascade.metresPerTexel);
 }
 
 bool ShadowCascades::isFinerElsewhere(uint32_t index, const vec3& center,
@@ -60,13 +60,14 @@ bool ShadowCascades::isFinerElsewhere(uint32_t index, const vec3& center,
     const vec3 x(rows[0]), y(rows[1]);
     const vec2 middle(glm::dot(x, center), glm::dot(y, center));
     const vec2 reach = vec2(glm::dot(glm::abs(x), halfExtent), glm::dot(glm::abs(y), halfExtent)) +
-                       kReachTexels * cascade.metresPerTexel;
+                       reachTexels(*this) * cascade.metresPerTexel;
     for (uint32_t i = 0; i < index; ++i) {
         const ShadowCascade& finer = cascades[i];
         const vec2 low = (middle - reach) * finer.uvPerMetre + finer.uvOffset;
         const vec2 high = (middle + reach) * finer.uvPerMetre + finer.uvOffset;
-        const float rim = kRimTexels / float(resolution);
-        if (low.x > rim && low.y > rim && high.x < 1 - rim && high.y < 1 - rim) return true;
+        // Where sunVisibility (shaders/common/sun_shadow.glsl) looks into the finer cascade alone.
+        const float inner = rim / float(resolution) + float(RL_CASCADE_BAND);
+        if (low.x > inner && low.y > inner && high.x < 1 - inner && high.y < 1 - inner) return true;
     }
     return false;
 }
@@ -75,6 +76,7 @@ ShadowCascades makeShadowCascades(const CameraMatrices& camera, const ShadowCasc
     ShadowCascades result;
     result.count = std::clamp(desc.count, 1u, 4u);
     result.resolution = desc.resolution;
+    result.rim = float(desc.rim);
 
     const vec3 towardsLight = -glm::normalize(desc.lightDirection);
     const vec3 helper = std::abs(towardsLight.y) < 0.99f ? vec3(0, 1, 0) : vec3(0, 0, 1);

@@ -19,6 +19,7 @@ struct ShadowCascade {
 struct ShadowCascades {
     uint32_t count = 0;
     uint32_t resolution = 0;
+    float rim = 0;  ///< texels of the filter (RL_SHADOW_RIM)
     /// World to light space: xy in metres, z in [0, 1].
     vec4 rows[3];
     std::array<ShadowCascade, 4> cascades;
@@ -38,6 +39,7 @@ struct ShadowCascadeDesc {
     uint32_t resolution = 2048;
     float distance = 0;  ///< metres from the camera; 0: all of the scene
     Aabb sceneBounds;    ///< of everything that casts or receives; not empty
+    uint32_t rim = 3;    ///< texels of the filter (RL_SHADOW_RIM)
 };
 
 ShadowCascades makeShadowCascades(const CameraMatrices& camera, const ShadowCascadeDesc& desc);

@@ -219,15 +219,39 @@ bool ShadowLights::placeTiles(Slot& slot) {
     return true;
 }
 
-// The largest first: then all that fit by their area fit in an empty atlas. When gaps between those that are kept are
+// Even the smallest may be too many. Then the least important go without; who has squares has to be clearly less
+// important to lose them.
+void ShadowLights::dropTooMany() {
+    uint64_t room = uint64_t(tiles_.size()) * tiles_.size();
+    if (texelsAt(bias_) <= room) return;
+    const auto rank = [&](const Wanted& w) {
+        return w.slot != kNoSlot && slots_[w.slot].level ? w.priority * 1.5f : w.priority;
+    };
+    std::ranges::sort(wanted_, [&](const Wanted& a, const Wanted& b) {
+        return rank(a) != rank(b) ? rank(a) > rank(b) : a.light < b.light;
+    });
+    for (Wanted& w : wanted_) {
+        if (w.slot == kNoSlot) continue;
+        Slot& slot = slots_[w.slot];
+        const uint64_t needed = uint64_t(slot.faceCount) << 2 * levelOf(slot, bias_);
+        if (needed <= room) {
+            room -= needed;
+            continue;
+        }
+        releaseTiles(slot);
+        slot = {};
+        w.slot = kNoSlot;
+    }
+}
+
+// The largest first: what fits by its area then fits into an empty atlas. When the gaps between those that are kept are
 // too small, all are placed anew.
 void ShadowLights::placeTiles() {
+    const auto level = [&](const Wanted& w) {
+        return w.slot == kNoSlot ? 0 : levelOf(slots_[w.slot], bias_);
+    };
     std::ranges::sort(wanted_, [&](const Wanted& a, const Wanted& b) {
-        const auto level = [&](const Wanted& w) {
-            return w.slot == kNoSlot ? 0 : levelOf(slots_[w.slot], bias_);
-        };
-        if (level(a) != level(b)) return level(a) > level(b);
-        return a.priority != b.priority ? a.priority > b.priority : a.light < b.light;
+        return level(a) != level(b) ? level(a) > level(b) : a.light < b.light;
     });
     for (Slot& slot : slots_)
         if (slot.level && slot.level != levelOf(slot, bias_)) releaseTiles(slot);
@@ -239,28 +263,6 @@ void ShadowLights::placeTiles() {
     };
     if (placeAll()) return;
     for (Slot& slot : slots_) releaseTiles(slot);
-    // Even the smallest may be too many; then the least important go without.
-    std::ranges::sort(wanted_, [](const Wanted& a, const Wanted& b) {
-        return a.priority != b.priority ? a.priority > b.priority : a.light < b.light;
-    });
-    uint64_t room = uint64_t(tiles_.size()) * tiles_.size();
-    for (Wanted& w : wanted_) {
-        if (w.slot == kNoSlot) continue;
-        const Slot& slot = slots_[w.slot];
-        const uint64_t needed = uint64_t(slot.faceCount) << 2 * levelOf(slot, bias_);
-        if (needed <= room) {
-            room -= needed;
-        } else {
-            slots_[w.slot] = {};
-            w.slot = kNoSlot;
-        }
-    }
-    std::ranges::stable_sort(wanted_, [&](const Wanted& a, const Wanted& b) {
-        const auto level = [&](const Wanted& w) {
-            return w.slot == kNoSlot ? 0 : levelOf(slots_[w.slot], bias_);
-        };
-        return level(a) > level(b);
-    });
     placeAll();
 }
 
@@ -316,6 +318,7 @@ ShadowLights::Counts ShadowLights::select(const Inputs& inputs) {
     matchSlots(inputs.punctual.size());
     updateWishes();
     chooseBias();
+    dropTooMany();
     placeTiles();
     fillFaces(inputs);
     return counts_;

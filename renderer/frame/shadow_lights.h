@@ -83,6 +83,7 @@ private:
     uint32_t levelOf(const Slot&, uint32_t bias) const;
     uint64_t texelsAt(uint32_t bias) const;
     void chooseBias();
+    void dropTooMany();
     void placeTiles();
     bool placeTiles(Slot& slot);
     bool evictOldest();

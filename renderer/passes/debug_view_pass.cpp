@@ -26,8 +26,10 @@ interop::PassUniforms uniformsOf(const DebugViewPass::Inputs& in) {
     interop::PassUniforms u{};
     u.sourceTexel = vec4(1 / width, 1 / height, in.depthDecode);
     if (in.show == ShownImage::shadow) {
-        u.counts.x = float(in.shadowCascades);
-        u.settings.x = width / float(in.shadowCascades) / height;
+        const uint32_t cells = in.shadowCascades + (in.shadowAtlas ? 1 : 0);
+        u.counts.x = float(cells);
+        u.counts.y = float(in.shadowCascades);
+        u.settings.x = width / float(cells) / height;
     } else if (in.show == ShownImage::clusters) {
         u.settings = in.clusterMapping;
         u.counts = in.clusterCounts;
@@ -49,7 +51,7 @@ bool DebugViewPass::shows(ShownImage show) { return !defineOf(show).empty(); }
 Result<void> DebugViewPass::add(FramePlan& plan, const Inputs& inputs) {
     const bool shadow = inputs.show == ShownImage::shadow;
     const bool clusters = inputs.show == ShownImage::clusters;
-    const bool nothing = (shadow && !inputs.shadowMap) || (clusters && !inputs.clusters.size);
+    const bool nothing = (shadow && !inputs.shadowMap && !inputs.shadowAtlas) || (clusters && !inputs.clusters.size);
     std::string_view defines[3];
     size_t count = 0;
     defines[count++] = nothing ? "SHOW_NOTHING" : defineOf(inputs.show);
@@ -62,7 +64,8 @@ Result<void> DebugViewPass::add(FramePlan& plan, const Inputs& inputs) {
     ImageId reads[4];
     if (shadow && !nothing) {
         payload.draw.textures[0] = {RL_TEXTURE_SOURCE0, inputs.shadowMap, nearest_};
-        reads[0] = inputs.shadowMap;
+        payload.draw.textures[1] = {RL_TEXTURE_SOURCE1, inputs.shadowAtlas, nearest_};
+        reads[0] = inputs.shadowMap, reads[1] = inputs.shadowAtlas;
     } else {
         const GBufferPass::Outputs& g = inputs.gbuffer;
         payload.draw.textures[0] = {RL_TEXTURE_GBUFFER0, g.target0, nearest_};

@@ -16,6 +16,7 @@ public:
         GBufferPass::Outputs gbuffer;
         ImageId shadowMap;  ///< null: no shadows, shown as black
         uint32_t shadowCascades = 0;
+    ImageId shadowAtlas;  ///< null: none; else beside the cascades
         BufferRange clusters;             ///< LightingBindings::clusters; empty: no lights
         uint32_t clusterWords = 1;        ///< LightClusters::recordWords
         vec4 clusterMapping{0}, clusterCounts{0};  ///< as LightingUniforms

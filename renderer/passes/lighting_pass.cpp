@@ -48,6 +48,11 @@ void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) con
     if (clusteredLights()) defines.push_back("CLUSTERED_LIGHTS");
     if (plainLights) defines.push_back("PLAIN_LIGHTS");
     if (modulatedLights) defines.push_back("MODULATED_LIGHTS");
+    if (punctualShadow) defines.push_back("PUNCTUAL_SHADOW");
+    if (shadowCascades > 0 || punctualShadow) {
+        if (shadowFilter == ShadowFilter::hard) defines.push_back("SHADOW_HARD");
+        if (shadowFilter == ShadowFilter::soft) defines.push_back("SHADOW_SOFT");
+    }
     if (environment) defines.push_back("ENVIRONMENT");
     else if (hemisphere) defines.push_back("HEMISPHERE");
     if (orthographic) defines.push_back("ORTHOGRAPHIC");
@@ -62,6 +67,11 @@ void LightingBindings::record(PassContext& context) const {
         commands.push(BindTexelBuffer{RL_TEXTURE_LIGHTS, Format::rgba32f, {}, lights});
         commands.push(BindTexelBuffer{RL_TEXTURE_CLUSTERS, Format::r32ui, {}, clusters});
         commands.push(BindTexelBuffer{RL_TEXTURE_LIGHT_INDICES, Format::r16ui, {}, lightIndices});
+    }
+    if (features.punctualShadow) {
+        commands.push(
+            BindTexture{RL_TEXTURE_SHADOW_ATLAS, context.texture(shadowAtlas), shadowSampler});
+        commands.push(BindTexelBuffer{RL_TEXTURE_SHADOW_FACES, Format::rgba32f, {}, shadowFaces});
     }
     if (features.environment) {
         commands.push(BindTexture{RL_TEXTURE_ENVIRONMENT, environment, cubeSampler});

@@ -2,6 +2,7 @@
 // Scene lighting: the G-buffer under suns, clustered lights, shadows and the ambient term, and the background behind.
 
 #include "renderer/frame/frame_plan.h"
+#include "renderer/frame/frame_settings.h"
 #include "renderer/frame/light_clusters.h"
 #include "renderer/passes/gbuffer_pass.h"
 
@@ -16,6 +17,8 @@ struct LightingFeatures {
     uint32_t shadowCascades = 0;  ///< 0: the sun casts none
     bool plainLights = false;      ///< LightClass::plain, in the froxels' lists
     bool modulatedLights = false;  ///< LightClass::modulated
+    bool punctualShadow = false;   ///< some of them have shadow records
+    ShadowFilter shadowFilter = ShadowFilter::pcf;
     bool environment = false;
     bool hemisphere = false;
     bool orthographic = false;

@@ -15,6 +15,7 @@ PunctualLight punctualOf(const assets::Light& from, const mat4& world) {
     light.position = vec3(world[3]);
     light.intensity = from.color * from.intensity;
     light.range = from.range;
+    light.castsShadow = true;
     if (from.type == assets::LightType::spot) {
         light.direction = forwardOf(world);
         light.innerConeAngle = from.innerConeAngle;

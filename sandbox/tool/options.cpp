@@ -1,5 +1,6 @@
 #include "sandbox/tool/options.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -145,6 +146,16 @@ void addQualityOptions(CLI::App& app, RenderOptions& o) {
         ->check(CLI::Range(1u, 4u));
     app.add_option("--shadow-resolution", o.shadowResolution, "Pixels a side of a shadow map")
         ->check(CLI::Range(64u, 8192u));
+    addSwitch(app, "--light-shadows", o.lightShadows, "Shadows of point and spot lights");
+    app.add_option("--shadow-atlas", o.shadowAtlasSize, "Pixels a side of the map that they share")
+        ->check(CLI::Range(256u, 16384u));
+    const std::map<std::string, ShadowFilter> filters = {
+        {"hard", ShadowFilter::hard}, {"pcf", ShadowFilter::pcf}, {"soft", ShadowFilter::soft}};
+    app.add_option_function<std::string>(
+           "--shadow-filter",
+           [&o, filters](const std::string& text) { o.shadowFilter = filters.at(text); },
+           "Edges of shadows: sharp, filtered, or softer with distance")
+        ->check(CLI::IsMember(filters));
     addSwitch(app, "--bloom", o.bloom, "A glow around bright light");
     addSwitch(app, "--dither", o.dither, "Dither before 8 bit, against banding");
     app.add_option_function<std::string>(
@@ -171,13 +182,17 @@ struct QualityLevel {
     bool bloom;
     AntiAliasing antiAliasing;
     float lodError;
+    bool lightShadows;
+    uint32_t atlasSize;
+    uint32_t tileSize;
+    ShadowFilter filter;
 };
 
 constexpr std::array<QualityLevel, 4> kQualityLevels = {{
-    {1, 1024, false, AntiAliasing::off, 1},
-    {2, 1024, true, AntiAliasing::fxaa, 0.5f},
-    {4, 2048, true, AntiAliasing::fxaa, 0.3f},
-    {4, 4096, true, AntiAliasing::fxaa, 0.1f},
+    {1, 1024, false, AntiAliasing::off, 1, false, 1024, 128, ShadowFilter::hard},
+    {2, 1024, true, AntiAliasing::fxaa, 0.5f, false, 2048, 256, ShadowFilter::pcf},
+    {4, 2048, true, AntiAliasing::fxaa, 0.3f, false, 4096, 512, ShadowFilter::pcf},
+    {4, 4096, true, AntiAliasing::fxaa, 0.1f, true, 8192, 1024, ShadowFilter::soft},
 }};
 
 }  // namespace
@@ -226,6 +241,10 @@ FrameSettings settingsFrom(const RenderOptions& o) {
     settings.shadowCaching = o.shadowCaching.value_or(true);
     settings.shadowCascades = o.shadowCascades.value_or(level.cascades);
     settings.shadowResolution = o.shadowResolution.value_or(level.shadowResolution);
+    settings.lightShadows = o.lightShadows.value_or(level.lightShadows);
+    settings.shadowAtlasSize = o.shadowAtlasSize.value_or(level.atlasSize);
+    settings.shadowTileSize = std::min(level.tileSize, settings.shadowAtlasSize);
+    settings.shadowFilter = o.shadowFilter.value_or(level.filter);
     settings.bloom = o.bloom.value_or(level.bloom);
     settings.antiAliasing = o.antiAliasing.value_or(level.antiAliasing);
     settings.dither = o.dither.value_or(true);

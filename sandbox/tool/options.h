@@ -56,6 +56,9 @@ struct RenderOptions {
     std::optional<bool> shadowCaching;
     std::optional<uint32_t> shadowCascades;
     std::optional<uint32_t> shadowResolution;
+    std::optional<bool> lightShadows;
+    std::optional<uint32_t> shadowAtlasSize;
+    std::optional<ShadowFilter> shadowFilter;
     std::optional<bool> bloom;
     std::optional<bool> dither;
     std::optional<AntiAliasing> antiAliasing;

@@ -7,6 +7,9 @@
 #if defined(SUN_SHADOW)
 #include "common/sun_shadow.glsl"
 #endif
+#if defined(PUNCTUAL_SHADOW)
+#include "common/punctual_shadow.glsl"
+#endif
 #if defined(CLUSTERED_LIGHTS)
 #include "common/clustered_lights.glsl"
 #endif

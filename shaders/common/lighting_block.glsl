@@ -2,6 +2,7 @@
 layout(std140, binding = RL_UNIFORMS_LIGHTING) uniform LightingBlock { LightingUniforms lighting; };
 
 #define L_SHADOW_SETTINGS lighting.shadowSettings
+#define L_SHADOW_SOFTNESS lighting.shadowSoftness
 #define L_SHADOW_ROW(i) lighting.shadowRows[i]
 #define L_SHADOW_CASCADE(i) lighting.shadowCascades[i]
 #define L_DIRECTION(i) lighting.directionalDirections[i]

@@ -24,6 +24,9 @@ layout(location = 9) flat LIGHTING_VARYING vec4 flatIlluminances[DIRECTIONAL_LIG
 layout(location = 13) flat LIGHTING_VARYING vec4 flatShadowRows[3];
 layout(location = 16) flat LIGHTING_VARYING vec4 flatShadowCascades[SHADOW_CASCADES];
 layout(location = 20) flat LIGHTING_VARYING vec4 flatShadowSettings;
+#if defined(SHADOW_SOFT)
+layout(location = 25) flat LIGHTING_VARYING vec4 flatShadowSoftness;
+#endif
 #endif
 #if defined(CLUSTERED_LIGHTS)
 layout(location = 21) flat LIGHTING_VARYING vec4 flatClusterMapping;
@@ -60,6 +63,9 @@ void writeLightingVaryings(vec2 uv) {
     for (int i = 0; i < 3; ++i) flatShadowRows[i] = lighting.shadowRows[i];
     for (int i = 0; i < SHADOW_CASCADES; ++i) flatShadowCascades[i] = lighting.shadowCascades[i];
     flatShadowSettings = lighting.shadowSettings;
+#if defined(SHADOW_SOFT)
+    flatShadowSoftness = lighting.shadowSoftness;
+#endif
 #endif
 #if defined(CLUSTERED_LIGHTS)
     flatClusterMapping = lighting.clusterMapping;
@@ -76,6 +82,7 @@ void writeLightingVaryings(vec2 uv) {
 #else
 
 #define L_SHADOW_SETTINGS flatShadowSettings
+#define L_SHADOW_SOFTNESS flatShadowSoftness
 #define L_SHADOW_ROW(i) flatShadowRows[i]
 #define L_SHADOW_CASCADE(i) flatShadowCascades[i]
 #define L_DIRECTION(i) flatDirections[i]

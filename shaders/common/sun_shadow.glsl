@@ -1,70 +1,72 @@
 // The share of the sun that reaches a point, from the cascades.
-layout(binding = RL_TEXTURE_SHADOW) uniform sampler2DArrayShadow shadowMap;
+#include "common/shadow_filter.glsl"
 
-// A 3x3 tent of bilinear comparisons from four gathers: the weights of 4x4 texels.
-float filterShadow(vec2 uv, float layer, float reference) {
-    vec2 texel = uv * L_SHADOW_SETTINGS.y - 0.5;
-    vec2 base = floor(texel);
-    vec2 f = texel - base;
-    vec2 corner = base * L_SHADOW_SETTINGS.z;
-    float two = 2.0 * L_SHADOW_SETTINGS.z;
-    // Gathers of the 2x2 blocks whose lower left texels are base + (-1|1, -1|1); order: (0,1) (1,1) (1,0) (0,0).
-    vec4 g00 = textureGather(shadowMap, vec3(corner, layer), reference);
-    vec4 g10 = textureGather(shadowMap, vec3(corner + vec2(two, 0.0), layer), reference);
-    vec4 g01 = textureGather(shadowMap, vec3(corner + vec2(0.0, two), layer), reference);
-    vec4 g11 = textureGather(shadowMap, vec3(corner + vec2(two, two), layer), reference);
-    vec4 wx = vec4(1.0 - f.x, 1.0, 1.0, f.x) * (1.0 / 3.0);
-    vec4 wy = vec4(1.0 - f.y, 1.0, 1.0, f.y) * (1.0 / 3.0);
-    float row0 = dot(wx, vec4(g00.w, g00.z, g10.w, g10.z));
-    float row1 = dot(wx, vec4(g00.x, g00.y, g10.x, g10.y));
-    float row2 = dot(wx, vec4(g01.w, g01.z, g11.w, g11.z));
-    float row3 = dot(wx, vec4(g01.x, g01.y, g11.x, g11.y));
-    return dot(wy, vec4(row0, row1, row2, row3));
-}
+layout(binding = RL_TEXTURE_SHADOW) uniform SHADOW_MAP shadowMap;
 
-vec4 pickCascade(vec2 metres, out float layer) {
-    // The finest cascade that holds the point with the filter's margin, else the last.
-    float margin = 0.5 - 3.0 * L_SHADOW_SETTINGS.z;
-    vec4 picked = L_SHADOW_CASCADE(SHADOW_CASCADES - 1);
-    layer = float(SHADOW_CASCADES - 1);
-#if SHADOW_CASCADES > 3
-    {
-        vec4 c = L_SHADOW_CASCADE(2);
-        vec2 d = abs(metres * c.x + c.yz - 0.5);
-        if (max(d.x, d.y) < margin) { picked = c; layer = 2.0; }
-    }
+// Texels at a cascade's rim that its filter may read beyond the point.
+#if defined(SHADOW_SOFT)
+#define SHADOW_RIM float(RL_SHADOW_RIM_SOFT)
+#else
+#define SHADOW_RIM float(RL_SHADOW_RIM)
 #endif
-#if SHADOW_CASCADES > 2
-    {
-        vec4 c = L_SHADOW_CASCADE(1);
-        vec2 d = abs(metres * c.x + c.yz - 0.5);
-        if (max(d.x, d.y) < margin) { picked = c; layer = 1.0; }
-    }
+
+float cascadeVisibility(LitSurface s, vec3 towardsLight, vec4 cascade, float layer) {
+    float cosine = clamp(dot(s.point.normal, towardsLight), 0.0, 1.0);
+    vec4 q = vec4(s.position + s.point.normal * (cascade.w * shadowOffset(cosine)), 1.0);
+    ShadowLookup at;
+    at.uv = vec2(dot(L_SHADOW_ROW(0), q), dot(L_SHADOW_ROW(1), q)) * cascade.x + cascade.yz;
+    at.layer = layer;
+    at.reference = min(dot(L_SHADOW_ROW(2), q), 1.0);
+    at.size = L_SHADOW_SETTINGS.y;
+#if defined(SHADOW_SOFT)
+    // The surface's plane: along x the depth falls by n.x / n.l, and so for y.
+    vec2 tangents = vec2(dot(L_SHADOW_ROW(0).xyz, s.point.normal), dot(L_SHADOW_ROW(1).xyz, s.point.normal));
+    at.slope = -tangents / max(cosine, 0.1) * (L_SHADOW_SOFTNESS.y / cascade.x);
+    at.softness = L_SHADOW_SOFTNESS.x * cascade.x;
+    at.limit = (float(RL_SHADOW_RIM_SOFT) - 2.0) * L_SHADOW_SETTINGS.z;
 #endif
-#if SHADOW_CASCADES > 1
-    {
-        vec4 c = L_SHADOW_CASCADE(0);
-        vec2 d = abs(metres * c.x + c.yz - 0.5);
-        if (max(d.x, d.y) < margin) { picked = c; layer = 0.0; }
-    }
-#endif
-    return picked;
+    return filterShadow(shadowMap, at);
 }
 
 float sunVisibility(LitSurface s, vec3 towardsLight) {
     vec4 p = vec4(s.position, 1.0);
     vec2 metres = vec2(dot(L_SHADOW_ROW(0), p), dot(L_SHADOW_ROW(1), p));
-    float layer;
-    vec4 cascade = pickCascade(metres, layer);
-    // Receivers step off their surface by about the filter's radius, the more the steeper the light grazes
-    // (Holbert, "Saying Goodbye to Shadow Acne", GDC 2011).
-    float cosine = clamp(dot(s.point.normal, towardsLight), 0.0, 1.0);
-    float sine = sqrt(1.0 - cosine * cosine);
-    vec4 q = vec4(s.position + s.point.normal * (cascade.w * (0.6 + 1.8 * sine)), 1.0);
-    vec2 uv = vec2(dot(L_SHADOW_ROW(0), q), dot(L_SHADOW_ROW(1), q)) * cascade.x + cascade.yz;
-    float reference = dot(L_SHADOW_ROW(2), q);
-    float lit = filterShadow(uv, layer, min(reference, 1.0));
-    // Beyond the last cascade there is no shadow.
-    vec2 outside = abs(uv - 0.5);
-    return max(outside.x, outside.y) < 0.5 ? lit : 1.0;
+    // The finest cascade that holds the point with the filter's margin, else the last. In a band along its edge it
+    // fades into the next; the second look-up is skipped wherever all pixels of a block are outside of bands.
+    float margin = 0.5 - SHADOW_RIM * L_SHADOW_SETTINGS.z;
+    vec4 picked = L_SHADOW_CASCADE(SHADOW_CASCADES - 1);
+    vec4 next = picked;
+    float layer = float(SHADOW_CASCADES - 1);
+    float weight = 1.0;
+#define TRY_CASCADE(i)                                                      \
+    {                                                                       \
+        vec4 c = L_SHADOW_CASCADE(i);                                       \
+        vec2 d = abs(metres * c.x + c.yz - 0.5);                            \
+        float inside = margin - max(d.x, d.y);                              \
+        if (inside > 0.0) {                                                 \
+            next = L_SHADOW_CASCADE(i + 1);                                 \
+            picked = c;                                                     \
+            layer = float(i);                                               \
+            weight = inside * (1.0 / RL_CASCADE_BAND);                      \
+        }                                                                   \
+    }
+#if SHADOW_CASCADES > 3
+    TRY_CASCADE(2)
+#endif
+#if SHADOW_CASCADES > 2
+    TRY_CASCADE(1)
+#endif
+#if SHADOW_CASCADES > 1
+    TRY_CASCADE(0)
+#endif
+    float lit = cascadeVisibility(s, towardsLight, picked, layer);
+#if SHADOW_CASCADES > 1
+    if (weight < 1.0)
+        lit = mix(cascadeVisibility(s, towardsLight, next, layer + 1.0), lit, weight);
+#endif
+    // Beyond the last cascade there is no shadow. One that follows the camera fades out, one that holds the scene ends.
+    vec4 last = L_SHADOW_CASCADE(SHADOW_CASCADES - 1);
+    vec2 outside = abs(metres * last.x + last.yz - 0.5);
+    float fade = (0.5 - max(outside.x, outside.y)) * L_SHADOW_SETTINGS.w;
+    return mix(1.0, lit, clamp(fade, 0.0, 1.0));
 }

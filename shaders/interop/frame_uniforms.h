@@ -10,6 +10,10 @@ RL_INTEROP_BEGIN
 #define RL_MAX_DIRECTIONAL_LIGHTS 4
 // A froxel is a square of pixels of this side, times a slice of depth.
 #define RL_CLUSTER_PIXELS 64
+// Of a cascade: texels at its rim that filters need, and the share of its side over which it fades into the next.
+#define RL_SHADOW_RIM 3
+#define RL_SHADOW_RIM_SOFT 18
+#define RL_CASCADE_BAND 0.05
 
 // RL_UNIFORMS_VIEW, for passes that draw geometry: the camera's, or a cascade's.
 struct ViewUniforms {
@@ -32,7 +36,8 @@ struct LightingUniforms {
     vec4 clusterCounts;  // x, y, z: froxels along each axis
     vec4 shadowRows[3];  // relative position to light space: xy metres, z in [0, 1], 1 nearest to the light
     vec4 shadowCascades[RL_MAX_CASCADES];  // x: uv per metre, yz: uv offset, w: metres per texel
-    vec4 shadowSettings;                   // x: cascades, y: texels of one, z: 1 / y
+    vec4 shadowSettings;                   // x: cascades, y: texels of one, z: 1 / y, w: 1 / uv over which the last fades out
+    vec4 shadowSoftness;  // x: metres of penumbra per depth between caster and surface, y: depth per metre
     vec4 directionalDirections[RL_MAX_DIRECTIONAL_LIGHTS];    // xyz: towards the light
     vec4 directionalIlluminances[RL_MAX_DIRECTIONAL_LIGHTS];  // rgb: lux
     vec4 environment;     // x, y: cosine and sine of its rotation, z: intensity, w: last mip of the prefiltered cube
@@ -45,7 +50,7 @@ RL_INTEROP_END
 
 #ifndef GLSL
 static_assert(sizeof(rushlight::interop::ViewUniforms) == 160);
-static_assert(sizeof(rushlight::interop::LightingUniforms) == 16 * (10 + 3 + 4 + 1 + 8 + 4));
+static_assert(sizeof(rushlight::interop::LightingUniforms) == 16 * (10 + 3 + 4 + 2 + 8 + 4));
 #endif
 
 #endif

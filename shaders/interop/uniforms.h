@@ -22,7 +22,7 @@ RL_INTEROP_BEGIN
 ///     fxaa         xy: 1 / source size       -                                        -
 ///     overlay      xy: 2 / target size       x: 1: rows from the top, y: array layer  -
 ///     debug view   xy: 1 / target size       depth: x: nearest, y: farthest shown     clusters: clusterCounts
-///                  zw: depthDecode           clusters: clusterMapping                 shadow: x: cascades
+///                  zw: depthDecode           clusters: clusterMapping                 shadow: x: cells, y: cascades
 ///                  (of LightingUniforms)     shadow: x: a cell's width over height
 ///
 /// counts.w of every full-screen pass: 1 turns the picture upside down, for hosts that read rows from the top.

@@ -12,7 +12,9 @@
 #endif
 
 #if defined(SHOW_SHADOW)
-layout(binding = RL_TEXTURE_SOURCE0) uniform sampler2DArray shadowDepths;  // a sampler that does not compare
+// samplers that do not compare
+layout(binding = RL_TEXTURE_SOURCE0) uniform sampler2DArray shadowDepths;
+layout(binding = RL_TEXTURE_SOURCE1) uniform sampler2DArray atlasDepths;
 #else
 layout(binding = RL_TEXTURE_GBUFFER0) uniform sampler2D gbuffer0;
 layout(binding = RL_TEXTURE_GBUFFER1) uniform sampler2D gbuffer1;
@@ -45,7 +47,11 @@ vec3 shownColor(float surface) {
     vec2 at = vec2(place - layer, uv.y) - 0.5;
     at = flatSettings.x < 1.0 ? vec2(at.x, at.y / flatSettings.x) : vec2(at.x * flatSettings.x, at.y);
     float inside = max(abs(at.x), abs(at.y)) < 0.5 ? 1.0 : 0.0;
-    return vec3(textureLod(shadowDepths, vec3(at + 0.5, layer), 0.0).x * inside);
+    // Perspective depths are small: their fourth root tells them apart.
+    float depth = layer < flatCounts.y
+                      ? textureLod(shadowDepths, vec3(at + 0.5, layer), 0.0).x
+                      : sqrt(sqrt(textureLod(atlasDepths, vec3(at + 0.5, 0.0), 0.0).x));
+    return vec3(depth * inside);
 }
 #else
 vec3 shownColor(float depth) {

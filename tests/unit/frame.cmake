@@ -9,6 +9,8 @@ add_executable(frame_test
   material_store_test.cpp
   mesh_lods_test.cpp
   shadow_cascades_test.cpp
+  shadow_lights_test.cpp
+  shadow_tiles_test.cpp
   spatial_index_test.cpp
   view_math_test.cpp
   visibility_test.cpp
