@@ -37,8 +37,10 @@ Result<GtaoPass::Outputs> GtaoPass::add(FramePlan& plan, const Inputs& inputs) {
     if (!denoise) return tl::unexpected(denoise.error());
 
     interop::ScreenUniforms screen = inputs.screen;
-    screen.settings = {inputs.radius, 1 / ((1 - kFullWeight) * inputs.radius),
-                       kLongestSearch * float(inputs.height), kThinness};
+    // Weights fall with the square of the distance, from 1 at kFullWeight of the radius to 0 at it.
+    const float fall = 1 / (1 - kFullWeight * kFullWeight);
+    screen.settings = {inputs.radius, fall, fall / (inputs.radius * inputs.radius), kThinness};
+    screen.back.w = kLongestSearch * float(inputs.height);
     const BufferRange uniforms =
         inputs.data->append(std::span<const interop::ScreenUniforms>(&screen, 1));
     const uint32_t w = halfSize(inputs.width), h = halfSize(inputs.height);

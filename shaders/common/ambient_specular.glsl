@@ -46,12 +46,13 @@ vec3 surroundingsMirrored(LitSurface s) {
 }
 
 #if defined(AMBIENT_OCCLUSION)
-// How much of a cone `lobe` is in a cone `open` whose axis is `between` away; all angles of cones are half of theirs.
-// Oat and Sander 2007, "Ambient Aperture Lighting".
-float coneShare(float open, float lobe, float between) {
-    float apart = abs(open - lobe);
-    float t = clamp((between - apart) / max(open + lobe - apart, 1e-4), 0.0, 1.0);
-    float most = min((1.0 - cos(open)) / max(1.0 - cos(lobe), 1e-4), 1.0);
+// How much of a cone `lobe` is in a cone `open`, by half their angles and the cosines of those; `cosine` is that of the
+// angle between their axes. Oat and Sander 2007, "Ambient Aperture Lighting".
+float coneShare(vec2 open, vec2 lobe, float cosine) {
+    float apart = abs(open.x - lobe.x);
+    float between = arcCosine(clamp(cosine, -1.0, 1.0));
+    float t = clamp((between - apart) / max(open.x + lobe.x - apart, 1e-4), 0.0, 1.0);
+    float most = min((1.0 - open.y) / max(1.0 - lobe.y, 1e-4), 1.0);
     return most * (1.0 - t * t * (3.0 - 2.0 * t));
 }
 #endif
@@ -61,11 +62,12 @@ float coneShare(float open, float lobe, float between) {
 float specularVisibility(LitSurface s) {
 #if defined(AMBIENT_OCCLUSION)
     float rough = clampRoughness(s.roughness);
-    float lobe = arcCosine(exp2(-3.32193 * rough * rough));  // cosine 10^-alpha: most of a lobe of this roughness
-    float open = arcCosine(sqrt(1.0 - s.visible));  // a cone about the normal with this visibility: sin^2 is it
+    float lobeCosine = exp2(-3.32193 * rough * rough);  // 10^-alpha: most of a lobe of this roughness
+    float openCosine = sqrt(1.0 - s.visible);  // a cone about the normal with this visibility: its sine^2
+    vec2 lobe = vec2(arcCosine(lobeCosine), lobeCosine);
     vec3 r = reflect(-s.point.view, s.point.normal);
-    float share = coneShare(open, lobe, arcCosine(clamp(dot(r, s.bent), -1.0, 1.0)));
-    float whole = coneShare(kHalfPi, lobe, arcCosine(clamp(dot(r, s.point.normal), -1.0, 1.0)));
+    float share = coneShare(vec2(arcCosine(openCosine), openCosine), lobe, dot(r, s.bent));
+    float whole = coneShare(vec2(kHalfPi, 0.0), lobe, dot(r, s.point.normal));
     return min(share / max(whole, 1e-3), s.occlusion);
 #else
     return s.occlusion;

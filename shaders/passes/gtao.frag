@@ -2,7 +2,8 @@
 // integrals and the source. What it finds is counted as a loss against open sky, so that an open plane is exactly open,
 // however few the slices.
 //
-// flatSettings: x: radius in metres, y: 1 / (radius of which weights fall), z: longest search in texels, w: thickness
+// flatSettings: x: radius in metres; y, z: an occluder at distance d weighs y - z d^2; w: how thin edges are
+// flatBack.w: the longest search in texels
 #include "common/screen_space.glsl"
 #include "common/occlusion_texel.glsl"
 #include "interop/encode.h"
@@ -37,7 +38,7 @@ float horizonAt(vec2 texel, vec3 position, vec3 normal, Slice slice, float low, 
     float above = dot(offset, normal) * slice.perHeight;
     float cosine = (above * slice.cosN - along * slice.sinN) *
                    inversesqrt(max(along * along + above * above, 1e-20));
-    float weight = clamp((flatSettings.x - length(offset)) * flatSettings.y, 0.0, 1.0);
+    float weight = clamp(flatSettings.y - dot(offset, offset) * flatSettings.z, 0.0, 1.0);
     cosine = mix(low, cosine, weight);
     // What is behind an edge may be seen under it: horizons sink where depth falls back (section 4.2 of the paper).
     return cosine > horizon ? cosine : mix(horizon, max(cosine, low), flatSettings.w);
@@ -60,15 +61,15 @@ void main() {
     vec3 view = -normalize(position);
     float reach = flatSettings.x * flatSize.w / viewDepth;
 #endif
-    reach = min(reach, flatSettings.z) - kNearest;
+    reach = min(reach, flatBack.w) - kNearest;
     vec2 noise = pattern(ivec2(gl_FragCoord.xy));
 
     float lost = 0.0;
     vec3 missing = vec3(0.0);
     if (reach > 0.0) {
+        const float turn = 2.0 * kHalfPi / float(OCCLUSION_SLICES);
+        vec2 direction = vec2(cos(noise.x * turn), sin(noise.x * turn));
         for (int i = 0; i < OCCLUSION_SLICES; ++i) {
-            float angle = (float(i) + noise.x) * (2.0 * kHalfPi / float(OCCLUSION_SLICES));
-            vec2 direction = vec2(cos(angle), sin(angle));
             vec3 axis = normalize(cross(vec3(direction, 0.0), view));
             vec3 across = cross(view, axis);
             vec3 projected = normal - axis * dot(normal, axis);
@@ -93,6 +94,7 @@ void main() {
             vec3 arc = arcOccluded(cosH0, cosH1, slice.cosN, slice.sinN) * len;
             lost += arc.x;
             missing += across * arc.y + view * arc.z;
+            direction = direction * cos(turn) + vec2(-direction.y, direction.x) * sin(turn);
         }
     }
     const float share = 1.0 / float(OCCLUSION_SLICES);
