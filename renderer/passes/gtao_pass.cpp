@@ -13,8 +13,10 @@ constexpr std::array<std::string_view, 3> kSlices = {"OCCLUSION_SLICES 2", "OCCL
                                                      "OCCLUSION_SLICES 4"};
 constexpr std::array<std::string_view, 3> kSteps = {"OCCLUSION_STEPS 2", "OCCLUSION_STEPS 4",
                                                     "OCCLUSION_STEPS 6"};
-// Occluders lose weight from this share of the radius on, so that none pops in or out.
-constexpr float kFullWeight = 0.4f;
+// Occluders lose weight from this share of the radius on, so that none pops in or out. What is found is then what rays
+// find that count a hit fully up to 0.4 of the radius, and from there less with the square of its distance: one horizon
+// stands for all that is below it, with a weight of its own, which makes it sink more than the mean of theirs.
+constexpr float kFullWeight = 0.7f;
 // The search goes no further than this share of the picture's height: its few steps would miss too much.
 constexpr float kLongestSearch = 0.25f;
 // How far a horizon sinks for each place behind it: 0 takes every edge for a wall without end.

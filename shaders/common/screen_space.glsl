@@ -17,6 +17,8 @@ layout(location = 4) flat SCREEN_VARYING vec4 flatUp;
 layout(location = 5) flat SCREEN_VARYING vec4 flatBack;
 layout(location = 6) flat SCREEN_VARYING vec4 flatSettings;
 
+#if !defined(VERTEX_STAGE)
+
 // Metres from the eye along its view; of the background, very far.
 float viewDepthOf(float depth) {
     float linear = depth * flatDepthDecode.x + flatDepthDecode.y;
@@ -44,3 +46,5 @@ vec3 viewFromWorld(vec3 v) {
 vec3 worldFromView(vec3 v) {
     return flatRight.xyz * v.x + flatUp.xyz * v.y + flatBack.xyz * v.z;
 }
+
+#endif

@@ -34,14 +34,20 @@ float horizonAt(vec2 texel, vec3 position, vec3 normal, Slice slice, float low, 
     vec2 at = clamp(floor(texel), vec2(0.0), flatSize.xy - 1.0);
     float depth = texelFetch(depthMap, ivec2(at), 0).x;
     vec3 offset = viewPosition(at + 0.5, viewDepthOf(depth)) - position;
+    float distance2 = dot(offset, offset);
+    float height = dot(offset, normal);
     float along = dot(offset, slice.tangent);
-    float above = dot(offset, normal) * slice.perHeight;
+    float above = height * slice.perHeight;
     float cosine = (above * slice.cosN - along * slice.sinN) *
                    inversesqrt(max(along * along + above * above, 1e-20));
-    float weight = clamp(flatSettings.y - dot(offset, offset) * flatSettings.z, 0.0, 1.0);
+    float weight = clamp(flatSettings.y - distance2 * flatSettings.z, 0.0, 1.0);
+    // Half a degree and less over the surface is the surface, as far as its normal and texels can tell.
+    weight = height > 0.0 && height * height > 1e-4 * distance2 ? weight : 0.0;
     cosine = mix(low, cosine, weight);
     // What is behind an edge may be seen under it: horizons sink where depth falls back (section 4.2 of the paper).
-    return cosine > horizon ? cosine : mix(horizon, max(cosine, low), flatSettings.w);
+    float lower = mix(horizon, max(cosine, low), flatSettings.w);
+    bool onScreen = at == floor(texel);
+    return onScreen ? (cosine > horizon ? cosine : lower) : horizon;
 }
 
 void main() {
