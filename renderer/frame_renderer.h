@@ -19,6 +19,8 @@
 #include "renderer/passes/gtao_pass.h"
 #include "renderer/passes/lighting_pass.h"
 #include "renderer/passes/overlay_pass.h"
+#include "renderer/passes/pyramid_pass.h"
+#include "renderer/passes/reflections_pass.h"
 #include "renderer/passes/shadow_pass.h"
 #include "renderer/passes/tonemap_pass.h"
 #include "renderer/renderer.h"
@@ -75,6 +77,9 @@ private:
     Result<ImageId> planAmbientOcclusion(const FrameInput&, const CameraMatrices&,
                                          const GBufferPass::Outputs&, const LightingBindings&,
                                          const FrameTarget&);
+    /// The lit radiance with reflections in it, as far as they are wanted; or, to be shown, they alone.
+    Result<ImageId> planReflections(const FrameInput&, const CameraMatrices&,
+                                    const LightingPass::Inputs&, ImageId radiance);
     Result<void> validateCommands();
     void fillReport(const FrameInput&);
     void describePasses(SubmittedFrame&) const;
@@ -89,6 +94,8 @@ private:
     FramePlan plan_;
     GBufferPass gbufferPass_;
     GtaoPass gtaoPass_;
+    PyramidPass pyramidPass_;
+    ReflectionsPass reflectionsPass_;
     ShadowPass shadowPass_;
     LightingPass lightingPass_;
     ForwardPass forwardPass_;

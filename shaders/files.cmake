@@ -13,6 +13,7 @@ set(RUSHLIGHT_SHADER_FILES
   common/lit_surface.glsl
   common/material.glsl
   common/occlusion_texel.glsl
+  common/pyramid.glsl
   common/screen_space.glsl
   common/sun_shadow.glsl
   common/surface_inputs.glsl
@@ -45,6 +46,10 @@ set(RUSHLIGHT_SHADER_FILES
   passes/luminance.frag
   passes/overlay.frag
   passes/overlay.vert
+  passes/pyramid.frag
+  passes/pyramid_base.frag
+  passes/reflections_composite.frag
+  passes/reflections_trace.frag
   passes/screen_space.vert
   passes/surface.vert
   passes/tonemap.frag

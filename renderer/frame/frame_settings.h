@@ -27,6 +27,7 @@ enum class ShownImage : uint8_t {
     clusters,  ///< lights per froxel as a heat map
     ambientOcclusion,  ///< of the screen: white where the ambient light is open
     lighting,  ///< HDR after deferred lighting, before forward
+    reflections,  ///< HDR: what surfaces mirror of the screen
     forward,   ///< HDR after forward
     bloom,
     tonemap,  ///< before anti-aliasing
@@ -44,6 +45,9 @@ struct FrameSettings {
     /// where a frame has no ambient light.
     AmbientOcclusion ambientOcclusion = AmbientOcclusion::off;
     float ambientOcclusionRadius = 1;  ///< metres, over 0: what is further away hides nothing
+    /// Smooth surfaces mirror what the screen shows, instead of the environment where that is known. Of opaque surfaces,
+    /// before blended ones are drawn.
+    bool reflections = false;
     bool bloom = true;
     float bloomStrength = 0.04f;
     float exposureScale = 1;     ///< linear factor on radiance, used when neither below is

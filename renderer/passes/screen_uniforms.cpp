@@ -24,8 +24,8 @@ interop::ScreenUniforms makeScreenUniforms(const CameraMatrices& camera, uint32_
             : vec2(0, kSurfaceTolerance * 2 * camera.halfHeight / std::abs(decode.x));
     u.depthDecode = vec4(decode, tolerance);
     u.size = vec4(size, size / (2.0f * half));
-    u.right = vec4(camera.right, 0);
-    u.up = vec4(camera.up, 0);
+    u.right = vec4(camera.right, float(halfSize(width)));
+    u.up = vec4(camera.up, float(halfSize(height)));
     u.back = vec4(-camera.forward, 0);
     return u;
 }

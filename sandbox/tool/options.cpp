@@ -156,6 +156,7 @@ void addQualityOptions(CLI::App& app, RenderOptions& o) {
     app.add_option("--ao-radius", o.ambientOcclusionRadius, "Metres over which they do (1)")
         ->check(finiteNumber())
         ->check(CLI::PositiveNumber);
+    addSwitch(app, "--ssr", o.reflections, "Smooth surfaces mirror what the picture shows");
     addSwitch(app, "--bloom", o.bloom, "A glow around bright light");
     addSwitch(app, "--dither", o.dither, "Dither before 8 bit, against banding");
     app.add_option_function<std::string>(
@@ -180,16 +181,17 @@ struct QualityLevel {
     uint32_t cascades;
     uint32_t shadowResolution;
     AmbientOcclusion ambientOcclusion;
+    bool reflections;
     bool bloom;
     AntiAliasing antiAliasing;
     float lodError;
 };
 
 constexpr std::array<QualityLevel, 4> kQualityLevels = {{
-    {1, 1024, AmbientOcclusion::off, false, AntiAliasing::off, 1},
-    {2, 1024, AmbientOcclusion::low, true, AntiAliasing::fxaa, 0.5f},
-    {4, 2048, AmbientOcclusion::medium, true, AntiAliasing::fxaa, 0.3f},
-    {4, 4096, AmbientOcclusion::high, true, AntiAliasing::fxaa, 0.1f},
+    {1, 1024, AmbientOcclusion::off, false, false, AntiAliasing::off, 1},
+    {2, 1024, AmbientOcclusion::low, false, true, AntiAliasing::fxaa, 0.5f},
+    {4, 2048, AmbientOcclusion::medium, false, true, AntiAliasing::fxaa, 0.3f},
+    {4, 4096, AmbientOcclusion::high, true, true, AntiAliasing::fxaa, 0.1f},
 }};
 
 }  // namespace
@@ -241,6 +243,7 @@ FrameSettings settingsFrom(const RenderOptions& o) {
     settings.ambientOcclusion = o.ambientOcclusion.value_or(level.ambientOcclusion);
     settings.ambientOcclusionRadius =
         o.ambientOcclusionRadius.value_or(settings.ambientOcclusionRadius);
+    settings.reflections = o.reflections.value_or(level.reflections);
     settings.bloom = o.bloom.value_or(level.bloom);
     settings.antiAliasing = o.antiAliasing.value_or(level.antiAliasing);
     settings.dither = o.dither.value_or(true);

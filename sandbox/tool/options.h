@@ -58,6 +58,7 @@ struct RenderOptions {
     std::optional<uint32_t> shadowResolution;
     std::optional<AmbientOcclusion> ambientOcclusion;
     std::optional<float> ambientOcclusionRadius;
+    std::optional<bool> reflections;
     std::optional<bool> bloom;
     std::optional<bool> dither;
     std::optional<AntiAliasing> antiAliasing;

@@ -16,7 +16,8 @@ struct ScreenUniforms {
     vec4 viewFromTexel;   ///< perspective: view xy = (texel * xy + zw) * view depth; orthographic: without the factor
     vec4 depthDecode;     ///< xy: as LightingUniforms; zw: device depths further apart than d * z + w are not one surface
     vec4 size;            ///< xy: width and height in texels; zw: texels that a metre spans, at 1 m from the eye (or at all)
-    vec4 right, up, back; ///< xyz: the axes of view space in the world; w: see the pass
+    vec4 right, up, back; ///< xyz: the axes of view space in the world; w of right and up: width and height at half
+                          ///< the size, of back: see the pass
     vec4 settings;        ///< see the pass
 };
 

@@ -3,6 +3,7 @@ find_package(Threads REQUIRED)
 
 add_executable(screen_gl_test
   gtao_gl_test.cpp
+  reflections_gl_test.cpp
   ../support/test_context.cpp)
 target_include_directories(screen_gl_test PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
 target_link_libraries(screen_gl_test PRIVATE
