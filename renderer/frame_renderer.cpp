@@ -37,6 +37,9 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       log_(log),
       plan_(device),
       gbufferPass_(device),
+      gtaoPass_(device),
+      pyramidPass_(device),
+      reflectionsPass_(device),
       shadowPass_(device),
       shadowAtlasPass_(device),
       lightingPass_(device),
@@ -191,8 +194,15 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
 
     const bool sky = lighting->features.environment &&
                      input.lighting.background == Background::environment;
-    auto lit = lightingPass_.add(plan_, {*gbuffer, *lighting, sky, width, height});
+    const auto ambient = planAmbientOcclusion(input, camera, *gbuffer, *lighting,
+                                              output.target);
+    if (!ambient) return tl::unexpected(ambient.error());
+    const LightingPass::Inputs lightingInputs{*gbuffer, *lighting, *ambient, sky, width, height};
+    const auto lit = lightingPass_.add(plan_, lightingInputs);
     if (!lit) return tl::unexpected(lit.error());
+    const ShownImage show = input.settings.show;
+    const auto mirrored = planReflections(input, camera, lightingInputs, lit->radiance);
+    if (!mirrored) return tl::unexpected(mirrored.error());
 
     ForwardPass::Inputs forwardInputs{&lists_.blended, &lists_.movingEmission, binder, viewUniforms,
                                       *lighting, lit->radiance, gbuffer->depth};
@@ -210,12 +220,13 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
         capturedImage_ = target.image;
         plan_.requestImage(capturedImage_);
     }
-    const ShownImage show = input.settings.show;
     Result<void> planned =
         DebugViewPass::shows(show)
-            ? planDebugView(input, target, camera, *gbuffer, *lighting)
+            ? planDebugView(input, target, camera, *gbuffer, *lighting, *ambient)
             : planDisplay(input, target,
-                          show == ShownImage::lighting ? lit->radiance : forward->radiance);
+                          show == ShownImage::lighting      ? lit->radiance
+                          : show == ShownImage::reflections ? *mirrored
+                                                            : forward->radiance);
     if (!planned) return planned;
     if (show == ShownImage::bounds) {
         planned = boundsPass_.add(plan_, {{&lists_.opaque, &lists_.blended}, &frameWorlds_,

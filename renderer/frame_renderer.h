@@ -17,9 +17,12 @@
 #include "renderer/passes/forward_pass.h"
 #include "renderer/passes/fxaa_pass.h"
 #include "renderer/passes/gbuffer_pass.h"
+#include "renderer/passes/gtao_pass.h"
 #include "renderer/passes/lighting_pass.h"
 #include "renderer/passes/overlay_pass.h"
 #include "renderer/passes/shadow_atlas_pass.h"
+#include "renderer/passes/pyramid_pass.h"
+#include "renderer/passes/reflections_pass.h"
 #include "renderer/passes/shadow_pass.h"
 #include "renderer/passes/tonemap_pass.h"
 #include "renderer/renderer.h"
@@ -76,7 +79,15 @@ private:
     /// From linear radiance to the final target.
     Result<void> planDisplay(const FrameInput&, const FinalTarget&, ImageId radiance);
     Result<void> planDebugView(const FrameInput&, const FinalTarget&, const CameraMatrices&,
-                               const GBufferPass::Outputs&, const LightingBindings&);
+                               const GBufferPass::Outputs&, const LightingBindings&,
+                               ImageId ambientOcclusion);
+    /// A null image where the frame has no use for it.
+    Result<ImageId> planAmbientOcclusion(const FrameInput&, const CameraMatrices&,
+                                         const GBufferPass::Outputs&, const LightingBindings&,
+                                         const FrameTarget&);
+    /// The lit radiance with reflections in it, as far as they are wanted; or, to be shown, they alone.
+    Result<ImageId> planReflections(const FrameInput&, const CameraMatrices&,
+                                    const LightingPass::Inputs&, ImageId radiance);
     Result<void> validateCommands();
     void fillReport(const FrameInput&);
     void describePasses(SubmittedFrame&) const;
@@ -90,6 +101,9 @@ private:
     LogSink log_;
     FramePlan plan_;
     GBufferPass gbufferPass_;
+    GtaoPass gtaoPass_;
+    PyramidPass pyramidPass_;
+    ReflectionsPass reflectionsPass_;
     ShadowPass shadowPass_;
     ShadowAtlasPass shadowAtlasPass_;
     LightingPass lightingPass_;

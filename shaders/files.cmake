@@ -1,6 +1,8 @@
 # Every shader file that is compiled in, by its name in the shader library. One a line.
 set(RUSHLIGHT_SHADER_FILES
   common/ambient.glsl
+  common/ambient_occlusion.glsl
+  common/ambient_specular.glsl
   common/clustered_lights.glsl
   common/fullscreen.glsl
   common/fullscreen.vert
@@ -12,6 +14,9 @@ set(RUSHLIGHT_SHADER_FILES
   common/material.glsl
   common/punctual_shadow.glsl
   common/shadow_filter.glsl
+  common/occlusion_texel.glsl
+  common/pyramid.glsl
+  common/screen_space.glsl
   common/sun_shadow.glsl
   common/surface_inputs.glsl
   interop/bindings.h
@@ -19,6 +24,8 @@ set(RUSHLIGHT_SHADER_FILES
   interop/encode.h
   interop/frame_uniforms.h
   interop/interop.h
+  interop/occlusion_arc.h
+  interop/screen_uniforms.h
   interop/surface_flags.h
   interop/tonemap.h
   interop/uniforms.h
@@ -34,6 +41,8 @@ set(RUSHLIGHT_SHADER_FILES
   passes/forward.frag
   passes/fxaa.frag
   passes/gbuffer.frag
+  passes/gtao.frag
+  passes/gtao_denoise.frag
   passes/lighting.frag
   passes/lighting.vert
   passes/luminance.frag
@@ -41,6 +50,11 @@ set(RUSHLIGHT_SHADER_FILES
   passes/overlay.vert
   passes/shadow_tile.frag
   passes/shadow_tile.vert
+  passes/pyramid.frag
+  passes/pyramid_base.frag
+  passes/reflections_composite.frag
+  passes/reflections_trace.frag
+  passes/screen_space.vert
   passes/surface.vert
   passes/tonemap.frag
 )

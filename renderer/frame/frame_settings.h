@@ -13,6 +13,9 @@ enum class ShadowFilter : uint8_t {
     soft,  ///< penumbrae that grow with the distance from what casts them, by the size of the light
 };
 
+/// How finely the surroundings of a pixel are searched for what hides the ambient light: 8, 16 or 48 places.
+enum class AmbientOcclusion : uint8_t { off, low, medium, high };
+
 /// What the last pass shows instead of the frame, for looking into it. In the deck's order.
 enum class ShownImage : uint8_t {
     frame,
@@ -27,7 +30,9 @@ enum class ShownImage : uint8_t {
     depth,
     shadow,    ///< the cascades side by side, and the atlas of point and spot lights
     clusters,  ///< lights per froxel as a heat map
+    ambientOcclusion,  ///< of the screen: white where the ambient light is open
     lighting,  ///< HDR after deferred lighting, before forward
+    reflections,  ///< HDR: what surfaces mirror of the screen
     forward,   ///< HDR after forward
     bloom,
     tonemap,  ///< before anti-aliasing
@@ -45,6 +50,13 @@ struct FrameSettings {
     uint32_t shadowAtlasSize = 4096;  ///< texels a side of the map that those lights share; 256 to 16,384, rounded down to 2^n
     uint32_t shadowTileSize = 512;    ///< the most texels a side of a light's face; 64 to shadowAtlasSize, rounded down to 2^n
     ShadowFilter shadowFilter = ShadowFilter::pcf;
+    /// Surfaces hide ambient light from each other, as far as the screen shows it. Of opaque surfaces; costs nothing
+    /// where a frame has no ambient light.
+    AmbientOcclusion ambientOcclusion = AmbientOcclusion::off;
+    float ambientOcclusionRadius = 1;  ///< metres, over 0: what is further away hides nothing
+    /// Smooth surfaces mirror what the screen shows, instead of the environment where that is known. Of opaque surfaces,
+    /// before blended ones are drawn.
+    bool reflections = false;
     bool bloom = true;
     float bloomStrength = 0.04f;
     float exposureScale = 1;     ///< linear factor on radiance, used when neither below is

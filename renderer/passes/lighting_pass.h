@@ -53,6 +53,7 @@ public:
     struct Inputs {
         GBufferPass::Outputs gbuffer;
         LightingBindings lighting;
+        ImageId ambientOcclusion;  ///< GtaoPass::Outputs; null: the ambient light is open
         bool showSky = false;
         uint32_t width = 0, height = 0;
     };
@@ -66,10 +67,10 @@ public:
 private:
     struct Entry {
         LightingFeatures features;
-        bool showSky;
+        bool ambientOcclusion, showSky;
         PipelineHandle lighting, background;
     };
-    Result<Entry> find(const LightingFeatures&, bool showSky);
+    Result<Entry> find(const Inputs&);
 
     Device& device_;
     SamplerHandle nearest_;

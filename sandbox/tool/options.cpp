@@ -156,6 +156,18 @@ void addQualityOptions(CLI::App& app, RenderOptions& o) {
            [&o, filters](const std::string& text) { o.shadowFilter = filters.at(text); },
            "Edges of shadows: sharp, filtered, or softer with distance")
         ->check(CLI::IsMember(filters));
+    addChoice<std::optional<AmbientOcclusion>>(
+        app, "--ao", o.ambientOcclusion,
+        {{"off", AmbientOcclusion::off},
+         {"on", AmbientOcclusion::medium},
+         {"low", AmbientOcclusion::low},
+         {"medium", AmbientOcclusion::medium},
+         {"high", AmbientOcclusion::high}},
+        "Surfaces hide ambient light from each other");
+    app.add_option("--ao-radius", o.ambientOcclusionRadius, "Metres over which they do (1)")
+        ->check(finiteNumber())
+        ->check(CLI::PositiveNumber);
+    addSwitch(app, "--ssr", o.reflections, "Smooth surfaces mirror what the picture shows");
     addSwitch(app, "--bloom", o.bloom, "A glow around bright light");
     addSwitch(app, "--dither", o.dither, "Dither before 8 bit, against banding");
     app.add_option_function<std::string>(
@@ -179,20 +191,61 @@ void addQualityOptions(CLI::App& app, RenderOptions& o) {
 struct QualityLevel {
     uint32_t cascades;
     uint32_t shadowResolution;
+    bool lightShadows;
+    uint32_t atlasSize, tileSize;
+    ShadowFilter filter;
+    AmbientOcclusion ambientOcclusion;
+    bool reflections;
     bool bloom;
     AntiAliasing antiAliasing;
     float lodError;
-    bool lightShadows;
-    uint32_t atlasSize;
-    uint32_t tileSize;
-    ShadowFilter filter;
 };
 
 constexpr std::array<QualityLevel, 4> kQualityLevels = {{
-    {1, 1024, false, AntiAliasing::off, 1, false, 1024, 128, ShadowFilter::hard},
-    {2, 1024, true, AntiAliasing::fxaa, 0.5f, false, 2048, 256, ShadowFilter::pcf},
-    {4, 2048, true, AntiAliasing::fxaa, 0.3f, false, 4096, 512, ShadowFilter::pcf},
-    {4, 4096, true, AntiAliasing::fxaa, 0.1f, true, 8192, 1024, ShadowFilter::soft},
+    {.cascades = 1,
+     .shadowResolution = 1024,
+     .lightShadows = false,
+     .atlasSize = 1024,
+     .tileSize = 128,
+     .filter = ShadowFilter::hard,
+     .ambientOcclusion = AmbientOcclusion::off,
+     .reflections = false,
+     .bloom = false,
+     .antiAliasing = AntiAliasing::off,
+     .lodError = 1},
+    {.cascades = 2,
+     .shadowResolution = 1024,
+     .lightShadows = false,
+     .atlasSize = 2048,
+     .tileSize = 256,
+     .filter = ShadowFilter::pcf,
+     .ambientOcclusion = AmbientOcclusion::low,
+     .reflections = false,
+     .bloom = true,
+     .antiAliasing = AntiAliasing::fxaa,
+     .lodError = 0.5f},
+    {.cascades = 4,
+     .shadowResolution = 2048,
+     .lightShadows = false,
+     .atlasSize = 4096,
+     .tileSize = 512,
+     .filter = ShadowFilter::pcf,
+     .ambientOcclusion = AmbientOcclusion::medium,
+     .reflections = false,
+     .bloom = true,
+     .antiAliasing = AntiAliasing::fxaa,
+     .lodError = 0.3f},
+    {.cascades = 4,
+     .shadowResolution = 4096,
+     .lightShadows = true,
+     .atlasSize = 8192,
+     .tileSize = 1024,
+     .filter = ShadowFilter::soft,
+     .ambientOcclusion = AmbientOcclusion::high,
+     .reflections = true,
+     .bloom = true,
+     .antiAliasing = AntiAliasing::fxaa,
+     .lodError = 0.1f},
 }};
 
 }  // namespace
@@ -245,6 +298,10 @@ FrameSettings settingsFrom(const RenderOptions& o) {
     settings.shadowAtlasSize = o.shadowAtlasSize.value_or(level.atlasSize);
     settings.shadowTileSize = std::min(level.tileSize, settings.shadowAtlasSize);
     settings.shadowFilter = o.shadowFilter.value_or(level.filter);
+    settings.ambientOcclusion = o.ambientOcclusion.value_or(level.ambientOcclusion);
+    settings.ambientOcclusionRadius =
+        o.ambientOcclusionRadius.value_or(settings.ambientOcclusionRadius);
+    settings.reflections = o.reflections.value_or(level.reflections);
     settings.bloom = o.bloom.value_or(level.bloom);
     settings.antiAliasing = o.antiAliasing.value_or(level.antiAliasing);
     settings.dither = o.dither.value_or(true);

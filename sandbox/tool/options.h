@@ -59,6 +59,9 @@ struct RenderOptions {
     std::optional<bool> lightShadows;
     std::optional<uint32_t> shadowAtlasSize;
     std::optional<ShadowFilter> shadowFilter;
+    std::optional<AmbientOcclusion> ambientOcclusion;
+    std::optional<float> ambientOcclusionRadius;
+    std::optional<bool> reflections;
     std::optional<bool> bloom;
     std::optional<bool> dither;
     std::optional<AntiAliasing> antiAliasing;
