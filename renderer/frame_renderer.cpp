@@ -37,6 +37,7 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       log_(log),
       plan_(device),
       gbufferPass_(device),
+      gtaoPass_(device),
       shadowPass_(device),
       lightingPass_(device),
       forwardPass_(device),
@@ -201,7 +202,10 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
 
     const bool sky = lighting->features.environment &&
                      input.lighting.background == Background::environment;
-    auto lit = lightingPass_.add(plan_, {*gbuffer, *lighting, sky, width, height});
+    const auto ambient = planAmbientOcclusion(input, camera, *gbuffer, *lighting,
+                                              output.target);
+    if (!ambient) return tl::unexpected(ambient.error());
+    auto lit = lightingPass_.add(plan_, {*gbuffer, *lighting, *ambient, sky, width, height});
     if (!lit) return tl::unexpected(lit.error());
 
     ForwardPass::Inputs forwardInputs{&lists_.blended, &lists_.movingEmission, binder, viewUniforms,
@@ -223,7 +227,7 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
     const ShownImage show = input.settings.show;
     Result<void> planned =
         DebugViewPass::shows(show)
-            ? planDebugView(input, target, camera, *gbuffer, *lighting)
+            ? planDebugView(input, target, camera, *gbuffer, *lighting, *ambient)
             : planDisplay(input, target,
                           show == ShownImage::lighting ? lit->radiance : forward->radiance);
     if (!planned) return planned;

@@ -16,6 +16,7 @@
 #include "renderer/passes/forward_pass.h"
 #include "renderer/passes/fxaa_pass.h"
 #include "renderer/passes/gbuffer_pass.h"
+#include "renderer/passes/gtao_pass.h"
 #include "renderer/passes/lighting_pass.h"
 #include "renderer/passes/overlay_pass.h"
 #include "renderer/passes/shadow_pass.h"
@@ -68,7 +69,12 @@ private:
     /// From linear radiance to the final target.
     Result<void> planDisplay(const FrameInput&, const FinalTarget&, ImageId radiance);
     Result<void> planDebugView(const FrameInput&, const FinalTarget&, const CameraMatrices&,
-                               const GBufferPass::Outputs&, const LightingBindings&);
+                               const GBufferPass::Outputs&, const LightingBindings&,
+                               ImageId ambientOcclusion);
+    /// A null image where the frame has no use for it.
+    Result<ImageId> planAmbientOcclusion(const FrameInput&, const CameraMatrices&,
+                                         const GBufferPass::Outputs&, const LightingBindings&,
+                                         const FrameTarget&);
     Result<void> validateCommands();
     void fillReport(const FrameInput&);
     void describePasses(SubmittedFrame&) const;
@@ -82,6 +88,7 @@ private:
     LogSink log_;
     FramePlan plan_;
     GBufferPass gbufferPass_;
+    GtaoPass gtaoPass_;
     ShadowPass shadowPass_;
     LightingPass lightingPass_;
     ForwardPass forwardPass_;

@@ -62,6 +62,10 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
         if (!std::isfinite(value))
             return wrong("settings", std::string(name) + " is " + std::to_string(value) +
                                          "; it must be finite.");
+    if (!(s.ambientOcclusionRadius > 0) || !std::isfinite(s.ambientOcclusionRadius))
+        return wrong("settings", "ambientOcclusionRadius is " +
+                                     std::to_string(s.ambientOcclusionRadius) +
+                                     " m; it must be finite and over 0.");
     if (s.shadows && (s.shadowCascades < 1 || s.shadowCascades > 4 ||
                       s.shadowResolution < 64 || s.shadowResolution > 8192))
         return wrong("settings", "shadows need 1 to 4 cascades of 64 to 8,192 texels; " +

@@ -44,10 +44,12 @@ Result<void> FrameRenderer::planDisplay(const FrameInput& input, const FinalTarg
 Result<void> FrameRenderer::planDebugView(const FrameInput& input, const FinalTarget& target,
                                           const CameraMatrices& camera,
                                           const GBufferPass::Outputs& gbuffer,
-                                          const LightingBindings& lighting) {
+                                          const LightingBindings& lighting,
+                                          ImageId ambientOcclusion) {
     DebugViewPass::Inputs in;
     in.show = input.settings.show;
     in.gbuffer = gbuffer;
+    in.ambientOcclusion = ambientOcclusion;
     in.shadowMap = lighting.shadowMap;
     in.shadowCascades = cascades_.count;
     in.clusters = lighting.clusters;

@@ -1,6 +1,8 @@
 # Every shader file that is compiled in, by its name in the shader library. One a line.
 set(RUSHLIGHT_SHADER_FILES
   common/ambient.glsl
+  common/ambient_occlusion.glsl
+  common/ambient_specular.glsl
   common/clustered_lights.glsl
   common/fullscreen.glsl
   common/fullscreen.vert
@@ -10,6 +12,8 @@ set(RUSHLIGHT_SHADER_FILES
   common/lighting_varyings.glsl
   common/lit_surface.glsl
   common/material.glsl
+  common/occlusion_texel.glsl
+  common/screen_space.glsl
   common/sun_shadow.glsl
   common/surface_inputs.glsl
   interop/bindings.h
@@ -17,6 +21,8 @@ set(RUSHLIGHT_SHADER_FILES
   interop/encode.h
   interop/frame_uniforms.h
   interop/interop.h
+  interop/occlusion_arc.h
+  interop/screen_uniforms.h
   interop/surface_flags.h
   interop/tonemap.h
   interop/uniforms.h
@@ -32,11 +38,14 @@ set(RUSHLIGHT_SHADER_FILES
   passes/forward.frag
   passes/fxaa.frag
   passes/gbuffer.frag
+  passes/gtao.frag
+  passes/gtao_denoise.frag
   passes/lighting.frag
   passes/lighting.vert
   passes/luminance.frag
   passes/overlay.frag
   passes/overlay.vert
+  passes/screen_space.vert
   passes/surface.vert
   passes/tonemap.frag
 )

@@ -8,6 +8,9 @@ namespace rushlight {
 enum class ToneMap : uint8_t { none, neutral, agx, aces };
 enum class AntiAliasing : uint8_t { off, fxaa };
 
+/// How finely the surroundings of a pixel are searched for what hides the ambient light: 8, 16 or 48 places.
+enum class AmbientOcclusion : uint8_t { off, low, medium, high };
+
 /// What the last pass shows instead of the frame, for looking into it. In the deck's order.
 enum class ShownImage : uint8_t {
     frame,
@@ -22,6 +25,7 @@ enum class ShownImage : uint8_t {
     depth,
     shadow,    ///< the cascades side by side
     clusters,  ///< lights per froxel as a heat map
+    ambientOcclusion,  ///< of the screen: white where the ambient light is open
     lighting,  ///< HDR after deferred lighting, before forward
     forward,   ///< HDR after forward
     bloom,
@@ -36,6 +40,10 @@ struct FrameSettings {
     uint32_t shadowResolution = 2048;
     float shadowDistance = 0;  ///< metres; 0: chosen from the scene and the far plane
     bool shadowCaching = true;  ///< a cascade whose view and casters are those of the last frame is not drawn again
+    /// Surfaces hide ambient light from each other, as far as the screen shows it. Of opaque surfaces; costs nothing
+    /// where a frame has no ambient light.
+    AmbientOcclusion ambientOcclusion = AmbientOcclusion::off;
+    float ambientOcclusionRadius = 1;  ///< metres, over 0: what is further away hides nothing
     bool bloom = true;
     float bloomStrength = 0.04f;
     float exposureScale = 1;     ///< linear factor on radiance, used when neither below is

@@ -7,7 +7,8 @@ const char* toText(ShownImage image) {
     constexpr const char* kNames[] = {"frame",    "bounds",   "basecolor", "metallic",
                                       "roughness", "normal",   "emissive",  "occlusion",
                                       "velocity",  "depth",    "shadow",    "clusters",
-                                      "lighting",  "forward",  "bloom",     "tonemap"};
+                                      "ao",        "lighting", "forward",   "bloom",
+                                      "tonemap"};
     static_assert(std::size(kNames) == size_t(ShownImage::count));
     return image < ShownImage::count ? kNames[size_t(image)] : "?";
 }

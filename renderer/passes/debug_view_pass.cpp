@@ -17,6 +17,7 @@ std::string_view defineOf(ShownImage show) {
         case ShownImage::depth: return "SHOW_DEPTH";
         case ShownImage::shadow: return "SHOW_SHADOW";
         case ShownImage::clusters: return "SHOW_CLUSTERS";
+        case ShownImage::ambientOcclusion: return "SHOW_AMBIENT_OCCLUSION";
         default: return {};
     }
 }
@@ -49,7 +50,9 @@ bool DebugViewPass::shows(ShownImage show) { return !defineOf(show).empty(); }
 Result<void> DebugViewPass::add(FramePlan& plan, const Inputs& inputs) {
     const bool shadow = inputs.show == ShownImage::shadow;
     const bool clusters = inputs.show == ShownImage::clusters;
-    const bool nothing = (shadow && !inputs.shadowMap) || (clusters && !inputs.clusters.size);
+    const bool ambient = inputs.show == ShownImage::ambientOcclusion;
+    const bool nothing = (shadow && !inputs.shadowMap) || (clusters && !inputs.clusters.size) ||
+                         (ambient && !inputs.ambientOcclusion);
     std::string_view defines[2];
     size_t count = 0;
     defines[count++] = nothing ? "SHOW_NOTHING" : defineOf(inputs.show);
@@ -65,10 +68,13 @@ Result<void> DebugViewPass::add(FramePlan& plan, const Inputs& inputs) {
     } else {
         const GBufferPass::Outputs& g = inputs.gbuffer;
         payload.draw.textures[0] = {RL_TEXTURE_GBUFFER0, g.target0, nearest_};
+        if (ambient && !nothing)  // which does without the base colour
+            payload.draw.textures[0] = {RL_TEXTURE_AMBIENT_OCCLUSION, inputs.ambientOcclusion,
+                                        nearest_};
         payload.draw.textures[1] = {RL_TEXTURE_GBUFFER1, g.target1, nearest_};
         payload.draw.textures[2] = {RL_TEXTURE_GBUFFER2, g.target2, nearest_};
         payload.draw.textures[3] = {RL_TEXTURE_DEPTH, g.depth, nearest_};
-        reads[0] = g.target0, reads[1] = g.target1, reads[2] = g.target2, reads[3] = g.depth;
+        reads[0] = payload.draw.textures[0].image, reads[1] = g.target1, reads[2] = g.target2, reads[3] = g.depth;
     }
     if (clusters) payload.clusters = inputs.clusters;
     PassTargets::Color color;

@@ -14,6 +14,7 @@ public:
     struct Inputs {
         ShownImage show = ShownImage::baseColor;
         GBufferPass::Outputs gbuffer;
+        ImageId ambientOcclusion;  ///< null: shown as black
         ImageId shadowMap;  ///< null: no shadows, shown as black
         uint32_t shadowCascades = 0;
         BufferRange clusters;             ///< LightingBindings::clusters; empty: no lights

@@ -30,7 +30,7 @@ Result<PipelineHandle> FullscreenPipelines::find(std::span<const std::string_vie
         if (std::ranges::equal(entry.defines, defines)) return entry.pipeline;
     PipelineDesc desc;
     desc.label = label_;
-    desc.vertexShader = "common/fullscreen.vert";
+    desc.vertexShader = vertexShader_;
     desc.fragmentShader = fragmentShader_;
     desc.defines = defines;
     desc.blend = blend_;

@@ -14,8 +14,13 @@ namespace rushlight {
 class FullscreenPipelines {
 public:
     FullscreenPipelines(Device& device, std::string_view label, std::string_view fragmentShader,
-                        BlendMode blend = BlendMode::off)
-        : device_(device), label_(label), fragmentShader_(fragmentShader), blend_(blend) {}
+                        BlendMode blend = BlendMode::off,
+                        std::string_view vertexShader = "common/fullscreen.vert")
+        : device_(device),
+          label_(label),
+          fragmentShader_(fragmentShader),
+          vertexShader_(vertexShader),
+          blend_(blend) {}
 
     Result<PipelineHandle> find(std::span<const std::string_view> defines);
 
@@ -25,7 +30,7 @@ private:
         PipelineHandle pipeline;
     };
     Device& device_;
-    std::string_view label_, fragmentShader_;
+    std::string_view label_, fragmentShader_, vertexShader_;
     BlendMode blend_;
     std::vector<Entry> entries_;
 };

@@ -15,6 +15,7 @@ constexpr std::string_view kCascadeDefines[] = {"", "SHADOW_CASCADES 1", "SHADOW
 struct Payload {
     GBufferPass::Outputs gbuffer;
     LightingBindings lighting;
+    ImageId ambientOcclusion;
     PipelineHandle lightingPipeline, backgroundPipeline;
     SamplerHandle nearest;
 };
@@ -29,6 +30,7 @@ void record(const Payload& p, PassContext& context) {
     bind(RL_TEXTURE_GBUFFER1, p.gbuffer.target1);
     bind(RL_TEXTURE_GBUFFER2, p.gbuffer.target2);
     bind(RL_TEXTURE_DEPTH, p.gbuffer.depth);
+    if (p.ambientOcclusion) bind(RL_TEXTURE_AMBIENT_OCCLUSION, p.ambientOcclusion);
     commands.push(SetPipeline{p.lightingPipeline});
     commands.push(Draw{3, 1, 0});
     if (p.lighting.sky)
@@ -73,12 +75,15 @@ LightingPass::LightingPass(Device& device)
 
 // Both are full-screen triangles at the far plane. Lighting is drawn where something is nearer, the background where
 // nothing is: rejected by depth, pixels cost nothing, while a branch in the shader would save nothing on llvmpipe.
-Result<LightingPass::Entry> LightingPass::find(const LightingFeatures& features, bool showSky) {
-    for (const Entry& entry : entries_)
-        if (entry.features == features && entry.showSky == showSky) return entry;
-    Entry entry{features, showSky, {}, {}};
+Result<LightingPass::Entry> LightingPass::find(const Inputs& inputs) {
+    Entry entry{inputs.lighting.features, bool(inputs.ambientOcclusion), inputs.showSky, {}, {}};
+    for (const Entry& known : entries_)
+        if (known.features == entry.features && known.showSky == entry.showSky &&
+            known.ambientOcclusion == entry.ambientOcclusion)
+            return known;
     std::vector<std::string_view> defines;
-    features.appendDefines(defines);
+    entry.features.appendDefines(defines);
+    if (entry.ambientOcclusion) defines.push_back("AMBIENT_OCCLUSION");
     PipelineDesc desc;
     desc.label = "lighting";
     desc.vertexShader = "passes/lighting.vert";
@@ -89,7 +94,7 @@ Result<LightingPass::Entry> LightingPass::find(const LightingFeatures& features,
     if (!lighting) return tl::unexpected(lighting.error());
 
     std::vector<std::string_view> backgroundDefines{"BACKGROUND", "DIRECTIONAL_LIGHTS 0"};
-    if (showSky) backgroundDefines.push_back("ENVIRONMENT");
+    if (entry.showSky) backgroundDefines.push_back("ENVIRONMENT");
     desc.label = "background";
     desc.fragmentShader = "passes/background.frag";
     desc.defines = backgroundDefines;
@@ -103,20 +108,22 @@ Result<LightingPass::Entry> LightingPass::find(const LightingFeatures& features,
 }
 
 Result<LightingPass::Outputs> LightingPass::add(FramePlan& plan, const Inputs& inputs) {
-    const auto entry = find(inputs.lighting.features, inputs.showSky);
+    const auto entry = find(inputs);
     if (!entry) return tl::unexpected(entry.error());
     Outputs out;
     out.radiance =
         plan.createImage({"radiance", Format::rgba16f, inputs.width, inputs.height});
     const PassTargets::Color colors[] = {{out.radiance, LoadOp::discard}};
     const GBufferPass::Outputs& g = inputs.gbuffer;
-    const ImageId reads[] = {g.target0, g.target1, g.target2, g.depth, inputs.lighting.shadowMap};
+    const ImageId reads[] = {g.target0, g.target1, g.target2, g.depth, inputs.lighting.shadowMap,
+                             inputs.ambientOcclusion};
     PassTargets targets;
     targets.colors = colors;
     targets.depth = {g.depth, LoadOp::keep, 0, true};
     targets.reads = reads;
     plan.addPass<Payload>("lighting", targets,
-                          {g, inputs.lighting, entry->lighting, entry->background, nearest_},
+                          {g, inputs.lighting, inputs.ambientOcclusion, entry->lighting,
+                           entry->background, nearest_},
                           record);
     return out;
 }

@@ -46,6 +46,7 @@ public:
     struct Inputs {
         GBufferPass::Outputs gbuffer;
         LightingBindings lighting;
+        ImageId ambientOcclusion;  ///< GtaoPass::Outputs; null: the ambient light is open
         bool showSky = false;
         uint32_t width = 0, height = 0;
     };
@@ -59,10 +60,10 @@ public:
 private:
     struct Entry {
         LightingFeatures features;
-        bool showSky;
+        bool ambientOcclusion, showSky;
         PipelineHandle lighting, background;
     };
-    Result<Entry> find(const LightingFeatures&, bool showSky);
+    Result<Entry> find(const Inputs&);
 
     Device& device_;
     SamplerHandle nearest_;

@@ -145,6 +145,17 @@ void addQualityOptions(CLI::App& app, RenderOptions& o) {
         ->check(CLI::Range(1u, 4u));
     app.add_option("--shadow-resolution", o.shadowResolution, "Pixels a side of a shadow map")
         ->check(CLI::Range(64u, 8192u));
+    addChoice<std::optional<AmbientOcclusion>>(
+        app, "--ao", o.ambientOcclusion,
+        {{"off", AmbientOcclusion::off},
+         {"on", AmbientOcclusion::medium},
+         {"low", AmbientOcclusion::low},
+         {"medium", AmbientOcclusion::medium},
+         {"high", AmbientOcclusion::high}},
+        "Surfaces hide ambient light from each other");
+    app.add_option("--ao-radius", o.ambientOcclusionRadius, "Metres over which they do (1)")
+        ->check(finiteNumber())
+        ->check(CLI::PositiveNumber);
     addSwitch(app, "--bloom", o.bloom, "A glow around bright light");
     addSwitch(app, "--dither", o.dither, "Dither before 8 bit, against banding");
     app.add_option_function<std::string>(
@@ -168,16 +179,17 @@ void addQualityOptions(CLI::App& app, RenderOptions& o) {
 struct QualityLevel {
     uint32_t cascades;
     uint32_t shadowResolution;
+    AmbientOcclusion ambientOcclusion;
     bool bloom;
     AntiAliasing antiAliasing;
     float lodError;
 };
 
 constexpr std::array<QualityLevel, 4> kQualityLevels = {{
-    {1, 1024, false, AntiAliasing::off, 1},
-    {2, 1024, true, AntiAliasing::fxaa, 0.5f},
-    {4, 2048, true, AntiAliasing::fxaa, 0.3f},
-    {4, 4096, true, AntiAliasing::fxaa, 0.1f},
+    {1, 1024, AmbientOcclusion::off, false, AntiAliasing::off, 1},
+    {2, 1024, AmbientOcclusion::low, true, AntiAliasing::fxaa, 0.5f},
+    {4, 2048, AmbientOcclusion::medium, true, AntiAliasing::fxaa, 0.3f},
+    {4, 4096, AmbientOcclusion::high, true, AntiAliasing::fxaa, 0.1f},
 }};
 
 }  // namespace
@@ -226,6 +238,9 @@ FrameSettings settingsFrom(const RenderOptions& o) {
     settings.shadowCaching = o.shadowCaching.value_or(true);
     settings.shadowCascades = o.shadowCascades.value_or(level.cascades);
     settings.shadowResolution = o.shadowResolution.value_or(level.shadowResolution);
+    settings.ambientOcclusion = o.ambientOcclusion.value_or(level.ambientOcclusion);
+    settings.ambientOcclusionRadius =
+        o.ambientOcclusionRadius.value_or(settings.ambientOcclusionRadius);
     settings.bloom = o.bloom.value_or(level.bloom);
     settings.antiAliasing = o.antiAliasing.value_or(level.antiAliasing);
     settings.dither = o.dither.value_or(true);

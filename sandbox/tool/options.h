@@ -56,6 +56,8 @@ struct RenderOptions {
     std::optional<bool> shadowCaching;
     std::optional<uint32_t> shadowCascades;
     std::optional<uint32_t> shadowResolution;
+    std::optional<AmbientOcclusion> ambientOcclusion;
+    std::optional<float> ambientOcclusionRadius;
     std::optional<bool> bloom;
     std::optional<bool> dither;
     std::optional<AntiAliasing> antiAliasing;

@@ -1,35 +1,39 @@
 // Light from everywhere: an environment, or a hemisphere.
+#if defined(ENVIRONMENT) || defined(HEMISPHERE)
+#include "common/ambient_specular.glsl"
+
 #if defined(ENVIRONMENT)
-layout(binding = RL_TEXTURE_ENVIRONMENT) uniform samplerCube environmentMap;
 layout(binding = RL_TEXTURE_IRRADIANCE) uniform samplerCube irradianceMap;
-layout(binding = RL_TEXTURE_BRDF_TABLE) uniform sampler2D brdfTable;
 #endif
 
-vec3 ambientLight(LitSurface s) {
-    vec3 n = s.point.normal;
-    vec3 albedo = s.baseColor * (1.0 - s.metallic);
+// Irradiance over pi that a surface with the normal n would get if nothing hid it.
+vec3 ambientIrradiance(vec3 n) {
 #if defined(ENVIRONMENT)
-    vec3 r = reflect(-s.point.view, n);
-    vec2 turn = L_ENVIRONMENT.xy;
-    vec3 nt = vec3(turn.x * n.x - turn.y * n.z, n.y, turn.y * n.x + turn.x * n.z);
-    vec3 rt = vec3(turn.x * r.x - turn.y * r.z, r.y, turn.y * r.x + turn.x * r.z);
-    vec2 table = textureLod(brdfTable, vec2(s.point.nDotV, clampRoughness(s.roughness)), 0.0).xy;
-    EnvironmentWeights w = environmentWeights(albedo, s.point.f0, table);
-    vec3 specular =
-        textureLod(environmentMap, rt, environmentLevel(s.roughness, L_ENVIRONMENT.w)).rgb;
-    vec3 irradiance = textureLod(irradianceMap, nt, 0.0).rgb;
-    vec3 light = w.diffuse * irradiance + w.specular * specular;
-    return light * (L_ENVIRONMENT.z * s.occlusion);
-#elif defined(HEMISPHERE)
-    // The specular lobe of a hemisphere, without a table: Karis 2014, "Physically Based Shading on Mobile".
-    vec4 k = s.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
-    float a = min(k.x * k.x, exp2(-9.28 * s.point.nDotV)) * k.x + k.y;
-    vec2 table = vec2(-1.04, 1.04) * a + k.zw;
-    vec3 r = reflect(-s.point.view, n);
-    vec3 diffuse = mix(L_AMBIENT_GROUND.rgb, L_AMBIENT_SKY.rgb, n.y * 0.5 + 0.5);
-    vec3 specular = mix(L_AMBIENT_GROUND.rgb, L_AMBIENT_SKY.rgb, r.y * 0.5 + 0.5);
-    return (albedo * diffuse + specularAlbedo(s.point.f0, table) * specular) * s.occlusion;
+    return textureLod(irradianceMap, turnToEnvironment(n), 0.0).rgb * L_ENVIRONMENT.z;
 #else
-    return vec3(0.0);
+    return mix(L_AMBIENT_GROUND.rgb, L_AMBIENT_SKY.rgb, n.y * 0.5 + 0.5);
 #endif
 }
+
+vec3 diffuseVisibility(LitSurface s) {
+#if defined(AMBIENT_OCCLUSION)
+    // The light that the hiding surfaces themselves send on, if they are as bright as this one. Jimenez et al. 2016,
+    // section 6: a cubic fitted to path-traced scenes of one albedo.
+    vec3 albedo = s.baseColor;
+    float v = min(s.visible, s.occlusion);
+    vec3 a = 2.0404 * albedo - 0.3324;
+    vec3 b = -4.7951 * albedo + 0.6417;
+    vec3 c = 2.7552 * albedo + 0.6903;
+    return max(vec3(v), ((v * a + b) * v + c) * v);
+#else
+    return vec3(s.occlusion);
+#endif
+}
+
+vec3 ambientLight(LitSurface s) {
+    EnvironmentWeights w = ambientWeights(s);
+    return w.diffuse * ambientIrradiance(s.bent) * diffuseVisibility(s) + ambientSpecular(s, w);
+}
+#else
+vec3 ambientLight(LitSurface s) { return vec3(0.0); }
+#endif

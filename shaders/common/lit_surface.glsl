@@ -7,7 +7,9 @@ struct LitSurface {
     vec3 baseColor;
     float metallic;
     float roughness;
-    float occlusion;
+    float occlusion;  // the material's
+    float visible;    // by the surroundings: cosine-weighted share of the ambient light that is not hidden
+    vec3 bent;        // unit: where it comes from on the mean; the normal where nothing is hidden
     ShadingPoint point;
 };
 
@@ -20,6 +22,8 @@ LitSurface makeLitSurface(vec3 position, float viewDepth, vec3 view, vec3 normal
     s.metallic = metallic;
     s.roughness = roughness;
     s.occlusion = occlusion;
+    s.visible = 1.0;
+    s.bent = normal;
     s.point = makeShadingPoint(baseColor, metallic, roughness, normal, view);
     return s;
 }

@@ -6,9 +6,12 @@
 #endif
 #include "common/fullscreen.glsl"
 #include "common/gbuffer.glsl"
+#include "common/occlusion_texel.glsl"
 #include "interop/tonemap.h"
 #if defined(SHOW_CLUSTERS)
 #include "common/lighting.glsl"
+#elif defined(SHOW_AMBIENT_OCCLUSION)
+#include "common/ambient_occlusion.glsl"
 #endif
 
 #if defined(SHOW_SHADOW)
@@ -49,6 +52,14 @@ vec3 shownColor(float surface) {
 }
 #else
 vec3 shownColor(float depth) {
+#if defined(SHOW_AMBIENT_OCCLUSION)
+    vec3 normal = unpackNormal(textureLod(gbuffer1, uv, 0.0).rgb);
+    float perDepth = abs(flatSourceTexel.z);
+#if !defined(ORTHOGRAPHIC)
+    perDepth *= viewDepthOf(depth);
+#endif
+    return vec3(ambientVisibility(uv / flatSourceTexel.xy, depth, perDepth, normal).visible);
+#else
     GBufferSample g = decodeGBuffer(GBufferTexels(textureLod(gbuffer0, uv, 0.0),
                                                   textureLod(gbuffer1, uv, 0.0),
                                                   textureLod(gbuffer2, uv, 0.0)));
@@ -77,6 +88,7 @@ vec3 shownColor(float depth) {
     return falseColor(float(cluster & 1023u) * (1.0 / 32.0));
 #else
     return vec3(0.0);  // SHOW_NOTHING: what is asked for is not in this frame
+#endif
 #endif
 }
 #endif

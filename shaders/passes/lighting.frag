@@ -1,6 +1,9 @@
 #include "common/gbuffer.glsl"
 #include "common/lighting_varyings.glsl"
 #include "common/lighting.glsl"
+#if defined(AMBIENT_OCCLUSION)
+#include "common/ambient_occlusion.glsl"
+#endif
 
 layout(binding = RL_TEXTURE_GBUFFER0) uniform sampler2D gbuffer0;
 layout(binding = RL_TEXTURE_GBUFFER1) uniform sampler2D gbuffer1;
@@ -25,6 +28,17 @@ void main() {
     vec3 position = pixelBase + pixelRay * viewDepth;
     LitSurface s = makeLitSurface(position, viewDepth, view, g.normal, g.baseColor, g.metallic,
                                   g.roughness, g.occlusion);
+#if defined(AMBIENT_OCCLUSION)
+#if defined(ORTHOGRAPHIC)
+    float perDepth = flatDepthDecode.x;
+#else
+    float perDepth = flatDepthDecode.x * viewDepth;
+#endif
+    AmbientVisibility ambient =
+        ambientVisibility(gl_FragCoord.xy, depth, abs(perDepth), g.normal);
+    s.visible = ambient.visible;
+    s.bent = ambient.bent;
+#endif
     vec3 lit = lightSurface(s, gl_FragCoord.xy) + g.emissive;
     radiance = vec4(g.unlit > 0.5 ? g.baseColor : lit, 1.0);
 }

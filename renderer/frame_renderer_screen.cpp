@@ -1,0 +1,31 @@
+// What is found in the image of the scene itself: ambient occlusion.
+#include "renderer/frame_renderer.h"
+#include "renderer/passes/screen_uniforms.h"
+
+namespace rushlight {
+
+Result<ImageId> FrameRenderer::planAmbientOcclusion(const FrameInput& input,
+                                                    const CameraMatrices& camera,
+                                                    const GBufferPass::Outputs& gbuffer,
+                                                    const LightingBindings& lighting,
+                                                    const FrameTarget& target) {
+    const FrameSettings& settings = input.settings;
+    const bool shown = settings.show == ShownImage::ambientOcclusion;
+    const bool needed = settings.ambientOcclusion != AmbientOcclusion::off &&
+                        (lighting.features.environment || lighting.features.hemisphere);
+    if (!shown && !needed) return ImageId{};
+    GtaoPass::Inputs in;
+    in.gbuffer = gbuffer;
+    in.quality = needed ? settings.ambientOcclusion : AmbientOcclusion::medium;
+    in.radius = settings.ambientOcclusionRadius;
+    in.orthographic = !camera.perspective;
+    in.data = &commands_;
+    in.width = target.width;
+    in.height = target.height;
+    in.screen = makeScreenUniforms(camera, in.width, in.height);
+    const auto made = gtaoPass_.add(plan_, in);
+    if (!made) return tl::unexpected(made.error());
+    return made->occlusion;
+}
+
+}  // namespace rushlight

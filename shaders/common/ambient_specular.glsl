@@ -1,0 +1,78 @@
+// Light from all around that a surface mirrors: added by lighting, and taken away again, term by term the same, where
+// reflections of the screen know better (passes/reflections_composite.frag).
+#if defined(AMBIENT_OCCLUSION)
+#include "interop/occlusion_arc.h"
+#endif
+
+#if defined(ENVIRONMENT)
+layout(binding = RL_TEXTURE_ENVIRONMENT) uniform samplerCube environmentMap;
+layout(binding = RL_TEXTURE_BRDF_TABLE) uniform sampler2D brdfTable;
+
+vec3 turnToEnvironment(vec3 d) {
+    vec2 turn = L_ENVIRONMENT.xy;
+    return vec3(turn.x * d.x - turn.y * d.z, d.y, turn.y * d.x + turn.x * d.z);
+}
+#endif
+
+vec3 diffuseAlbedo(LitSurface s) { return s.baseColor * (1.0 - s.metallic); }
+
+// How much of what comes from around goes on towards the eye.
+EnvironmentWeights ambientWeights(LitSurface s) {
+#if defined(ENVIRONMENT)
+    vec2 table = textureLod(brdfTable, vec2(s.point.nDotV, clampRoughness(s.roughness)), 0.0).xy;
+    return environmentWeights(diffuseAlbedo(s), s.point.f0, table);
+#else
+    // The specular lobe of a hemisphere, without a table: Karis 2014, "Physically Based Shading on Mobile".
+    vec4 k = s.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+    float a = min(k.x * k.x, exp2(-9.28 * s.point.nDotV)) * k.x + k.y;
+    EnvironmentWeights w;
+    w.specular = specularAlbedo(s.point.f0, vec2(-1.04, 1.04) * a + k.zw);
+    w.diffuse = diffuseAlbedo(s);
+    return w;
+#endif
+}
+
+// The radiance of the surroundings about the mirror direction, as the surface's roughness blurs it.
+vec3 surroundingsMirrored(LitSurface s) {
+    vec3 r = reflect(-s.point.view, s.point.normal);
+#if defined(ENVIRONMENT)
+    return textureLod(environmentMap, turnToEnvironment(r),
+                      environmentLevel(s.roughness, L_ENVIRONMENT.w)).rgb * L_ENVIRONMENT.z;
+#elif defined(HEMISPHERE)
+    return mix(L_AMBIENT_GROUND.rgb, L_AMBIENT_SKY.rgb, r.y * 0.5 + 0.5);
+#else
+    return vec3(0.0);
+#endif
+}
+
+#if defined(AMBIENT_OCCLUSION)
+// How much of a cone `lobe` is in a cone `open` whose axis is `between` away; all angles of cones are half of theirs.
+// Oat and Sander 2007, "Ambient Aperture Lighting".
+float coneShare(float open, float lobe, float between) {
+    float apart = abs(open - lobe);
+    float t = clamp((between - apart) / max(open + lobe - apart, 1e-4), 0.0, 1.0);
+    float most = min((1.0 - cos(open)) / max(1.0 - cos(lobe), 1e-4), 1.0);
+    return most * (1.0 - t * t * (3.0 - 2.0 * t));
+}
+#endif
+
+// The share of the specular lobe that is open: Jimenez et al. 2016 (see interop/occlusion_arc.h), section 5, the lobe and
+// the open sky as cones. Against the share that an open hemisphere leaves of the lobe: that one is in the weights.
+float specularVisibility(LitSurface s) {
+#if defined(AMBIENT_OCCLUSION)
+    float rough = clampRoughness(s.roughness);
+    float lobe = arcCosine(exp2(-3.32193 * rough * rough));  // cosine 10^-alpha: most of a lobe of this roughness
+    float open = arcCosine(sqrt(1.0 - s.visible));  // a cone about the normal with this visibility: sin^2 is it
+    vec3 r = reflect(-s.point.view, s.point.normal);
+    float share = coneShare(open, lobe, arcCosine(clamp(dot(r, s.bent), -1.0, 1.0)));
+    float whole = coneShare(kHalfPi, lobe, arcCosine(clamp(dot(r, s.point.normal), -1.0, 1.0)));
+    return min(share / max(whole, 1e-3), s.occlusion);
+#else
+    return s.occlusion;
+#endif
+}
+
+// What lighting adds; see ambientWeights for `weights`.
+vec3 ambientSpecular(LitSurface s, EnvironmentWeights weights) {
+    return weights.specular * surroundingsMirrored(s) * specularVisibility(s);
+}
