@@ -18,10 +18,11 @@ struct FileHeader {
     glm::uvec3 counts{0};
     vec3 origin{0};
     vec3 spacing{0};
+    uint64_t lightHash = 0;
     uint64_t payloadHash = 0;
     uint64_t headerHash = 0;  ///< of all before
 };
-static_assert(sizeof(FileHeader) == 64 && std::is_trivially_copyable_v<FileHeader>);
+static_assert(sizeof(FileHeader) == 72 && std::is_trivially_copyable_v<FileHeader>);
 
 uint64_t hashOfHeader(const FileHeader& header) {
     return hashBytes(&header, offsetof(FileHeader, headerHash));
@@ -40,6 +41,7 @@ std::vector<std::byte> encodeIrradianceVolume(const IrradianceVolume& volume) {
     header.counts = volume.grid.counts;
     header.origin = volume.grid.origin;
     header.spacing = volume.grid.spacing;
+    header.lightHash = volume.lightHash;
     header.payloadHash = hashBytes(payload, recordBytes + distanceBytes);
     header.headerHash = hashOfHeader(header);
     std::memcpy(bytes.data(), &header, sizeof header);
@@ -64,6 +66,7 @@ Result<IrradianceVolume> decodeIrradianceVolume(std::span<const std::byte> bytes
     volume.grid = {header.origin, header.spacing, header.counts};
     const double count = double(header.counts.x) * header.counts.y * header.counts.z;
     if (count >= 1 && count <= kMaxProbes) volume = makeIrradianceVolume(volume.grid);
+    volume.lightHash = header.lightHash;
     const size_t recordBytes = volume.records.size() * sizeof(uvec4);
     const size_t distanceBytes = volume.distances.size() * sizeof(uint32_t);
     const auto payload = bytes.subspan(sizeof header);

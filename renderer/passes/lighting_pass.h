@@ -18,6 +18,7 @@ struct LightingFeatures {
     bool environment = false;
     bool hemisphere = false;
     bool orthographic = false;
+    bool irradianceVolume = false;  ///< the environment's irradiance, or the hemisphere, is not read then
 
     bool operator==(const LightingFeatures&) const = default;
     /// The #defines; the texts are static.
@@ -37,8 +38,12 @@ struct LightingBindings {
     SamplerHandle cubeSampler;
     TextureHandle brdfTable;
     SamplerHandle linearSampler;
+    TextureHandle probeDistances;  ///< with an irradiance volume
+    BufferRange probeRecords;
 
     void record(PassContext& context) const;
+    /// The irradiance volume itself, for passes that look it up.
+    void recordProbes(PassContext& context) const;
 };
 
 class LightingPass {
@@ -47,6 +52,7 @@ public:
         GBufferPass::Outputs gbuffer;
         LightingBindings lighting;
         ImageId ambientOcclusion;  ///< GtaoPass::Outputs; null: the ambient light is open
+        ImageId localTint, localFlow;  ///< of IrradiancePass; with an irradiance volume
         bool showSky = false;
         uint32_t width = 0, height = 0;
     };

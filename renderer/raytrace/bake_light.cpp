@@ -1,5 +1,6 @@
 #include "renderer/raytrace/bake_light.h"
 
+#include "engine/core/hash.h"
 #include "renderer/frame/equirect.h"
 
 #include <algorithm>
@@ -20,6 +21,35 @@ vec3 hemisphere(const vec3& sky, const vec3& ground, float y) {
 }
 
 }  // namespace
+
+uint64_t hashOf(const BakeLighting& lighting) {
+    uint64_t hash = 1;
+    const auto add = [&](const auto& value) { hash = hashBytes(&value, sizeof value, hash); };
+    for (const DirectionalLight& light : lighting.directional) {
+        add(light.direction);
+        add(light.illuminance);
+        add(uint8_t(light.castsShadow));
+    }
+    for (const PunctualLight& light : lighting.punctual) {
+        add(light.position);
+        add(light.intensity);
+        add(light.range);
+        add(light.direction);
+        add(light.innerConeAngle);
+        add(light.outerConeAngle);
+    }
+    const EnvironmentDesc& env = lighting.environment;
+    hash = hashBytes(env.pixels.data(), env.pixels.size_bytes(), hash);
+    if (!env.pixels.empty()) {
+        add(env.width);
+        add(lighting.environmentRotation);
+        add(lighting.environmentIntensity);
+    } else {
+        add(lighting.ambientSky);
+        add(lighting.ambientGround);
+    }
+    return hash;
+}
 
 Result<BakeLight> BakeLight::create(const BakeLighting& lighting, JobSystem& jobs) {
     BakeLight out;

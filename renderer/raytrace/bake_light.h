@@ -20,6 +20,9 @@ struct BakeLighting {
     vec3 ambientSky{0}, ambientGround{0};  ///< as in Lighting
 };
 
+/// Tells lightings apart that give other light.
+uint64_t hashOf(const BakeLighting& lighting);
+
 /// A direction to the sky, drawn by how bright it is.
 struct SkySample {
     vec3 direction{0, 1, 0};

@@ -153,6 +153,7 @@ Result<IrradianceVolume> bakeIrradiance(const RayScene& scene, const BakeLightin
         if (desc.progress) desc.progress(desc.user, first + count, grid->count());
     }
     fillHidden(volume, open);
+    volume.lightHash = hashOf(lighting);
     return volume;
 }
 
