@@ -32,6 +32,7 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       textures(device, jobs),
       materials(device, textures),
       environments(device, jobs, log, std::move(cacheDirectory)),
+      irradianceVolumes(device),
       device_(device),
       jobs_(jobs),
       log_(log),
@@ -42,6 +43,7 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       reflectionsPass_(device),
       shadowPass_(device),
       shadowAtlasPass_(device),
+      irradiancePass_(device),
       lightingPass_(device),
       forwardPass_(device),
       bloomPass_(device),
@@ -197,7 +199,14 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
     const auto ambient = planAmbientOcclusion(input, camera, *gbuffer, *lighting,
                                               output.target);
     if (!ambient) return tl::unexpected(ambient.error());
-    const LightingPass::Inputs lightingInputs{*gbuffer, *lighting, *ambient, sky, width, height};
+    IrradiancePass::Outputs local;
+    if (lighting->features.irradianceVolume) {
+        const auto irradiance = irradiancePass_.add(plan_, {*gbuffer, *lighting, width, height});
+        if (!irradiance) return tl::unexpected(irradiance.error());
+        local = *irradiance;
+    }
+    const LightingPass::Inputs lightingInputs{*gbuffer,   *lighting, *ambient, local.tint,
+                                              local.flow, sky,       width,    height};
     const auto lit = lightingPass_.add(plan_, lightingInputs);
     if (!lit) return tl::unexpected(lit.error());
     const ShownImage show = input.settings.show;

@@ -7,6 +7,7 @@
 #include "renderer/frame/final_target.h"
 #include "renderer/frame/frame_plan.h"
 #include "renderer/frame/host_worlds.h"
+#include "renderer/frame/irradiance_store.h"
 #include "renderer/frame/light_clusters.h"
 #include "renderer/frame/shadow_schedule.h"
 #include "renderer/frame/visibility.h"
@@ -18,6 +19,7 @@
 #include "renderer/passes/fxaa_pass.h"
 #include "renderer/passes/gbuffer_pass.h"
 #include "renderer/passes/gtao_pass.h"
+#include "renderer/passes/irradiance_pass.h"
 #include "renderer/passes/lighting_pass.h"
 #include "renderer/passes/overlay_pass.h"
 #include "renderer/passes/shadow_atlas_pass.h"
@@ -48,6 +50,7 @@ public:
     TextureStore textures;
     MaterialStore materials;
     EnvironmentStore environments;
+    IrradianceStore irradianceVolumes;
     HostWorlds worlds;
 
     Result<void> createMeshes(std::span<const MeshDesc> meshes, std::span<MeshHandle> handles) {
@@ -106,6 +109,7 @@ private:
     ReflectionsPass reflectionsPass_;
     ShadowPass shadowPass_;
     ShadowAtlasPass shadowAtlasPass_;
+    IrradiancePass irradiancePass_;
     LightingPass lightingPass_;
     ForwardPass forwardPass_;
     BloomPass bloomPass_;

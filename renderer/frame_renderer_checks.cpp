@@ -48,6 +48,8 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
                                          "; it must be finite and not negative.");
     if (lighting.environment && !environments.find(lighting.environment))
         return wrong("lighting", "the environment is a stale handle.");
+    if (lighting.irradianceVolume && !irradianceVolumes.find(lighting.irradianceVolume))
+        return wrong("lighting", "the irradiance volume is a stale handle.");
     if (!std::isfinite(glm::length(lighting.ambientSky) + glm::length(lighting.ambientGround) +
                        glm::length(lighting.backgroundColor) + lighting.environmentRotation +
                        lighting.environmentIntensity))

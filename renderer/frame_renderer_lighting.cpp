@@ -12,6 +12,8 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
                     {lighting.punctual, shadowLights_.records()});
     const GpuEnvironment* environment = environments.find(lighting.environment);
 
+    const GpuIrradianceVolume* volume = irradianceVolumes.find(lighting.irradianceVolume);
+
     LightingBindings b;
     b.features.directionalLights = uint32_t(lighting.directional.size());
     b.features.shadowCascades = cascades_.count;
@@ -23,7 +25,12 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
         lighting.ambientSky != vec3(0) || lighting.ambientGround != vec3(0);
     b.features.orthographic = !camera.perspective;
     b.uniforms = uniforms(
-        makeLightingUniforms(camera, lighting, sun_, clusters_, cascades_, environment));
+        makeLightingUniforms(camera, lighting, sun_, clusters_, cascades_, environment, volume));
+    if (volume) {
+        b.features.irradianceVolume = true;
+        b.probeDistances = volume->distances;
+        b.probeRecords = volume->recordRange();
+    }
     if (b.features.clusteredLights()) {
         b.lights = commands_.append(std::span<const GpuLight>(clusters_.lights));
         b.clusters = commands_.append(std::span<const uint32_t>(clusters_.clusters));

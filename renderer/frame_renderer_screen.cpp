@@ -12,7 +12,8 @@ Result<ImageId> FrameRenderer::planAmbientOcclusion(const FrameInput& input,
     const FrameSettings& settings = input.settings;
     const bool shown = settings.show == ShownImage::ambientOcclusion;
     const bool needed = settings.ambientOcclusion != AmbientOcclusion::off &&
-                        (lighting.features.environment || lighting.features.hemisphere);
+                        (lighting.features.environment || lighting.features.hemisphere ||
+                         lighting.features.irradianceVolume);
     if (!shown && !needed) return ImageId{};
     GtaoPass::Inputs in;
     in.gbuffer = gbuffer;

@@ -192,6 +192,22 @@ void Renderer::destroy(EnvironmentHandle e) {
     if (use.goodOrLogged()) state_->frames->environments.destroy(e);
 }
 
+Result<IrradianceVolumeHandle> Renderer::createIrradianceVolume(const IrradianceVolume& volume) {
+    const Use use(*state_);
+    if (!use) return use.error();
+    return state_->frames->irradianceVolumes.create(volume);
+}
+Result<void> Renderer::updateIrradianceVolume(IrradianceVolumeHandle handle,
+                                              const IrradianceVolume& volume) {
+    const Use use(*state_);
+    if (!use) return use.error();
+    return state_->frames->irradianceVolumes.update(handle, volume);
+}
+void Renderer::destroy(IrradianceVolumeHandle volume) {
+    const Use use(*state_);
+    if (use.goodOrLogged()) state_->frames->irradianceVolumes.destroy(volume);
+}
+
 WorldHandle Renderer::createWorld() {
     const Use use(*state_);
     return use.goodOrLogged() ? state_->frames->worlds.create() : WorldHandle{};

@@ -11,6 +11,7 @@
 #include "renderer/commands/resources.h"
 #include "renderer/frame/frame_input.h"
 #include "renderer/frame/frame_report.h"
+#include "renderer/frame/irradiance_volume.h"
 
 #include <memory>
 #include <optional>
@@ -87,6 +88,11 @@ public:
     void destroy(ImageHandle);
     void destroy(MaterialHandle);
     void destroy(EnvironmentHandle);
+    /// Copied. Baked by renderer/raytrace/probe_bake.h or read from a file; for Lighting::irradianceVolume.
+    Result<IrradianceVolumeHandle> createIrradianceVolume(const IrradianceVolume&);
+    /// Other light for the same grid and distances, as of a ProbeUpdater.
+    Result<void> updateIrradianceVolume(IrradianceVolumeHandle, const IrradianceVolume&);
+    void destroy(IrradianceVolumeHandle);
 
     // Worlds: instances that the renderer keeps, so that a frame costs what is seen and what changed, not what exists.
     // An instance that was updated moves from where the last frame had it; Instance::previousTransform and

@@ -7,10 +7,12 @@ set(RUSHLIGHT_SHADER_FILES
   common/fullscreen.glsl
   common/fullscreen.vert
   common/gbuffer.glsl
+  common/irradiance_probes.glsl
   common/lighting.glsl
   common/lighting_block.glsl
   common/lighting_varyings.glsl
   common/lit_surface.glsl
+  common/local_light.glsl
   common/material.glsl
   common/punctual_shadow.glsl
   common/shadow_filter.glsl
@@ -24,6 +26,7 @@ set(RUSHLIGHT_SHADER_FILES
   interop/encode.h
   interop/frame_uniforms.h
   interop/interop.h
+  interop/irradiance_volume.h
   interop/occlusion_arc.h
   interop/screen_uniforms.h
   interop/surface_flags.h
@@ -43,6 +46,8 @@ set(RUSHLIGHT_SHADER_FILES
   passes/gbuffer.frag
   passes/gtao.frag
   passes/gtao_denoise.frag
+  passes/irradiance.frag
+  passes/irradiance.vert
   passes/lighting.frag
   passes/lighting.vert
   passes/luminance.frag

@@ -3,7 +3,32 @@
 #include "renderer/frame/brdf_table.h"
 #include "renderer/frame/environment_cache.h"
 
+#include "renderer/frame/cube_image.h"
+#include "renderer/frame/half.h"
+
 namespace rushlight {
+namespace {
+
+// Over the sphere, irradiance over pi has the mean of the radiance, and two thirds of its mean times direction
+// (Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps").
+std::array<vec4, 3> bandsOf(const CubeTexels& irradiance) {
+    std::array<vec4, 3> bands{};
+    for (uint32_t face = 0; face < 6; ++face)
+        for (uint32_t y = 0; y < irradiance.size; ++y)
+            for (uint32_t x = 0; x < irradiance.size; ++x) {
+                const float scale = 2.0f / float(irradiance.size);
+                const vec3 d = glm::normalize(cubeDirection(face, (float(x) + 0.5f) * scale - 1,
+                                                            (float(y) + 0.5f) * scale - 1));
+                const float share = cubeTexelSolidAngle(x, y, irradiance.size) / (4 * kPi);
+                const uint16_t* texel =
+                    &irradiance.face(0, face)[(size_t(y) * irradiance.size + x) * 4];
+                for (size_t c = 0; c < 3; ++c)
+                    bands[c] += vec4(1, 1.5f * d) * (fromHalf(texel[c]) * share);
+            }
+    return bands;
+}
+
+}  // namespace
 
 EnvironmentStore::EnvironmentStore(Device& device, JobSystem& jobs, LogSink log,
                                    std::string cacheDirectory)
@@ -29,6 +54,7 @@ Result<EnvironmentHandle> EnvironmentStore::create(const EnvironmentDesc& desc) 
     if (step) step = upload("environment-specular", prefiltered->specular, environment.specular);
     if (step)
         step = upload("environment-background", prefiltered->background, environment.background);
+    environment.bands = bandsOf(prefiltered->irradiance);
     if (step) return environments_.insert(environment);
     destroyTextures(environment);
     return tl::unexpected(step.error());

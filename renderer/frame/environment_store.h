@@ -4,6 +4,7 @@
 #include "renderer/backend/device.h"
 #include "renderer/frame/environment.h"
 
+#include <array>
 #include <string>
 
 namespace rushlight {
@@ -13,6 +14,8 @@ struct GpuEnvironment {
     TextureHandle irradiance;  ///< cube of irradiance over pi, RGBA16F
     TextureHandle specular;    ///< prefiltered cube, RGBA16F
     TextureHandle background;  ///< sharp cube, RGBA16F
+    /// In two bands, by colour: x: mean radiance, yzw: mean of radiance times direction.
+    std::array<vec4, 3> bands{};
 };
 
 /// Prefilters environments (or takes them from the cache on disk) and holds their cubes and the BRDF table.

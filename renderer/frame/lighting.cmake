@@ -5,6 +5,8 @@ add_library(rushlight_lighting STATIC
   environment.cpp
   environment_cache.cpp
   equirect.cpp
+  irradiance_file.cpp
+  irradiance_volume.cpp
   vertex_packing.cpp)
 target_include_directories(rushlight_lighting PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/shaders>)
 target_link_libraries(rushlight_lighting PUBLIC rushlight_core rushlight_commands PRIVATE rushlight_options)

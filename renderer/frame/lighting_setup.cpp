@@ -1,5 +1,7 @@
 #include "renderer/frame/lighting_setup.h"
 
+#include "interop/irradiance_volume.h"
+
 #include <cmath>
 
 namespace rushlight {
@@ -71,13 +73,45 @@ void fillShadows(const CameraMatrices& camera, const ShadowCascades& cascades, f
     u.shadowSoftness = {std::tan(angularRadius) / depthPerMetre, depthPerMetre, 0, 0};
 }
 
+// What is around the probes: the environment, turned as it is, or the hemisphere.
+vec4 outerBand(const Lighting& lighting, const GpuEnvironment* environment, int color) {
+    if (!environment) {
+        const float sky = lighting.ambientSky[color], ground = lighting.ambientGround[color];
+        return {0.5f * (sky + ground), 0, 0.25f * (sky - ground), 0};
+    }
+    const float c = std::cos(lighting.environmentRotation);
+    const float s = std::sin(lighting.environmentRotation);
+    const vec4 band = environment->bands[size_t(color)] * lighting.environmentIntensity;
+    return {band.x, c * band.y + s * band.w, band.z, c * band.w - s * band.y};
+}
+
+void fillVolume(const CameraMatrices& camera, const Lighting& lighting,
+                const GpuIrradianceVolume& volume, const GpuEnvironment* environment,
+                interop::LightingUniforms& u) {
+    const ProbeGrid& grid = volume.grid;
+    u.volumeOrigin = vec4(grid.origin - camera.position,
+                          interop::kProbeNormalBias * grid.smallestSpacing());
+    u.volumeScale = vec4(1.0f / grid.spacing, 0);
+    u.volumeLast = vec4(vec3(grid.counts) - 1.0f, 0);
+    constexpr float kLuminance[3] = {0.2126f, 0.7152f, 0.0722f};
+    vec4 luminous(0);
+    for (int i = 0; i < 3; ++i) {
+        u.volumeOuter[i] = outerBand(lighting, environment, i);
+        luminous += kLuminance[i] * u.volumeOuter[i];
+    }
+    u.volumeOuterLuminance =
+        luminous.x > 0 ? vec4(luminous.x, vec3(luminous.y, luminous.z, luminous.w) / luminous.x)
+                       : vec4(0);
+}
+
 }  // namespace
 
 interop::LightingUniforms makeLightingUniforms(const CameraMatrices& camera,
                                                const Lighting& lighting, int sun,
                                                const LightClusters& clusters,
                                                const ShadowCascades& cascades,
-                                               const GpuEnvironment* environment) {
+                                               const GpuEnvironment* environment,
+                                               const GpuIrradianceVolume* volume) {
     interop::LightingUniforms u{};
     fillRays(camera, u);
     u.clusterMapping = clusters.mapping();
@@ -100,6 +134,7 @@ interop::LightingUniforms makeLightingUniforms(const CameraMatrices& camera,
     }
     u.ambientSky = vec4(lighting.ambientSky, 0);
     u.ambientGround = vec4(lighting.ambientGround, 0);
+    if (volume) fillVolume(camera, lighting, *volume, environment, u);
     u.background = lighting.background == Background::transparent
                        ? vec4(0)
                        : vec4(lighting.backgroundColor, 1);

@@ -2,6 +2,7 @@
 
 #include "interop/frame_uniforms.h"
 #include "renderer/frame/environment_store.h"
+#include "renderer/frame/irradiance_store.h"
 #include "renderer/frame/light_clusters.h"
 #include "renderer/frame/shadow_cascades.h"
 #include "renderer/frame/shadow_view.h"
@@ -17,7 +18,8 @@ interop::LightingUniforms makeLightingUniforms(const CameraMatrices& camera,
                                                const Lighting& lighting, int sun,
                                                const LightClusters& clusters,
                                                const ShadowCascades& cascades,
-                                               const GpuEnvironment* environment);
+                                               const GpuEnvironment* environment,
+                                               const GpuIrradianceVolume* volume);
 
 /// Index of the first directional light that casts shadows, or -1.
 int findSun(const Lighting& lighting);

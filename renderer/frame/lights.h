@@ -35,6 +35,9 @@ struct Lighting {
     float environmentIntensity = 1;
     vec3 ambientSky{0};     ///< irradiance/π from above, used when there is no environment
     vec3 ambientGround{0};  ///< from below
+    /// Indirect light and the sky as seen from within the scene, in place of the unhidden environment or hemisphere,
+    /// which begin a cell beyond it. To be baked under the same lights and environment as are given here.
+    IrradianceVolumeHandle irradianceVolume;
     Background background = Background::color;
     vec3 backgroundColor{0};  ///< linear radiance; not tone mapped to anything else than the surfaces are
 };

@@ -14,6 +14,7 @@ using MeshHandle = Handle<struct MeshTag>;
 using ImageHandle = Handle<struct ImageTag>;
 using MaterialHandle = Handle<struct MaterialTag>;
 using EnvironmentHandle = Handle<struct EnvironmentTag>;
+using IrradianceVolumeHandle = Handle<struct IrradianceVolumeTag>;
 
 /// Triangles. Every attribute span is empty or as long as `positions`; copied.
 struct MeshDesc {

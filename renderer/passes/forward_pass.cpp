@@ -42,6 +42,7 @@ Result<ForwardPass::Outputs> ForwardPass::add(FramePlan& plan, const Inputs& inp
         context.commands.push(BindTexelBuffer{RL_TEXTURE_MATERIALS, Format::rgba32ui, {},
                                               in.binder.materials->buffer()});
         in.lighting.record(context);
+        if (in.lighting.features.irradianceVolume) in.lighting.recordProbes(context);
         in.binder.record(context.commands, *in.movingEmissive);
         in.binder.record(context.commands, *in.blended);
     });

@@ -15,7 +15,7 @@ constexpr std::string_view kCascadeDefines[] = {"", "SHADOW_CASCADES 1", "SHADOW
 struct Payload {
     GBufferPass::Outputs gbuffer;
     LightingBindings lighting;
-    ImageId ambientOcclusion;
+    ImageId ambientOcclusion, localTint, localFlow;
     PipelineHandle lightingPipeline, backgroundPipeline;
     SamplerHandle nearest;
 };
@@ -31,6 +31,11 @@ void record(const Payload& p, PassContext& context) {
     bind(RL_TEXTURE_GBUFFER2, p.gbuffer.target2);
     bind(RL_TEXTURE_DEPTH, p.gbuffer.depth);
     if (p.ambientOcclusion) bind(RL_TEXTURE_AMBIENT_OCCLUSION, p.ambientOcclusion);
+    if (p.lighting.features.irradianceVolume) {
+        bind(RL_TEXTURE_LOCAL_TINT, p.localTint);
+        commands.push(BindTexture{RL_TEXTURE_LOCAL_FLOW, context.texture(p.localFlow),
+                                  p.lighting.linearSampler});
+    }
     commands.push(SetPipeline{p.lightingPipeline});
     commands.push(Draw{3, 1, 0});
     if (p.lighting.sky)
@@ -58,6 +63,7 @@ void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) con
     if (environment) defines.push_back("ENVIRONMENT");
     else if (hemisphere) defines.push_back("HEMISPHERE");
     if (orthographic) defines.push_back("ORTHOGRAPHIC");
+    if (irradianceVolume) defines.push_back("IRRADIANCE_VOLUME");
 }
 
 void LightingBindings::record(PassContext& context) const {
@@ -77,9 +83,16 @@ void LightingBindings::record(PassContext& context) const {
     }
     if (features.environment) {
         commands.push(BindTexture{RL_TEXTURE_ENVIRONMENT, environment, cubeSampler});
-        commands.push(BindTexture{RL_TEXTURE_IRRADIANCE, irradiance, cubeSampler});
+        if (!features.irradianceVolume)
+            commands.push(BindTexture{RL_TEXTURE_IRRADIANCE, irradiance, cubeSampler});
         commands.push(BindTexture{RL_TEXTURE_BRDF_TABLE, brdfTable, linearSampler});
     }
+}
+
+void LightingBindings::recordProbes(PassContext& context) const {
+    CommandBuffer& commands = context.commands;
+    commands.push(BindTexture{RL_TEXTURE_PROBE_DISTANCES, probeDistances, linearSampler});
+    commands.push(BindTexelBuffer{RL_TEXTURE_PROBE_RECORDS, Format::rgba32ui, {}, probeRecords});
 }
 
 LightingPass::LightingPass(Device& device)
@@ -133,14 +146,16 @@ Result<LightingPass::Outputs> LightingPass::add(FramePlan& plan, const Inputs& i
                              g.depth,
                              inputs.lighting.shadowMap,
                              inputs.lighting.shadowAtlas,
-                             inputs.ambientOcclusion};
+                             inputs.ambientOcclusion,
+                             inputs.localTint,
+                             inputs.localFlow};
     PassTargets targets;
     targets.colors = colors;
     targets.depth = {g.depth, LoadOp::keep, 0, true};
     targets.reads = reads;
     plan.addPass<Payload>("lighting", targets,
-                          {g, inputs.lighting, inputs.ambientOcclusion, entry->lighting,
-                           entry->background, nearest_},
+                          {g, inputs.lighting, inputs.ambientOcclusion, inputs.localTint,
+                           inputs.localFlow, entry->lighting, entry->background, nearest_},
                           record);
     return out;
 }

@@ -22,6 +22,7 @@ struct LightingFeatures {
     bool environment = false;
     bool hemisphere = false;
     bool orthographic = false;
+    bool irradianceVolume = false;  ///< the environment's irradiance, or the hemisphere, is not read then
 
     bool clusteredLights() const { return plainLights || modulatedLights; }
     bool operator==(const LightingFeatures&) const = default;
@@ -44,8 +45,12 @@ struct LightingBindings {
     SamplerHandle cubeSampler;
     TextureHandle brdfTable;
     SamplerHandle linearSampler;
+    TextureHandle probeDistances;  ///< with an irradiance volume
+    BufferRange probeRecords;
 
     void record(PassContext& context) const;
+    /// The irradiance volume itself, for passes that look it up.
+    void recordProbes(PassContext& context) const;
 };
 
 class LightingPass {
@@ -54,6 +59,7 @@ public:
         GBufferPass::Outputs gbuffer;
         LightingBindings lighting;
         ImageId ambientOcclusion;  ///< GtaoPass::Outputs; null: the ambient light is open
+        ImageId localTint, localFlow;  ///< of IrradiancePass; with an irradiance volume
         bool showSky = false;
         uint32_t width = 0, height = 0;
     };

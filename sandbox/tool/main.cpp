@@ -15,6 +15,7 @@ int run(int argumentCount, char** arguments) {
     addCapture(app, action);
     addCompare(app, action);
     addBench(app, action);
+    addBake(app, action);
     addInfo(app, action);
     addReplay(app, action);
     addDoctor(app, action);

@@ -104,6 +104,23 @@ void addLightOptions(CLI::App& app, RenderOptions& o) {
         "environment, transparent, or r,g,b in linear radiance");
 }
 
+void addProbeOptions(CLI::App& app, RenderOptions& o) {
+    app.add_option("--probe-spacing", o.probeSpacing,
+                   "Metres between baked light probes (such that there are about 4,096)")
+        ->check(finiteNumber())
+        ->check(CLI::PositiveNumber);
+    app.add_option("--samples", o.probeSamples, "Paths that a baked light probe traces")
+        ->check(CLI::Range(16u, 65536u))
+        ->capture_default_str();
+}
+
+void addAnimationOptions(CLI::App& app, RenderOptions& o) {
+    app.add_option("--animation", o.animation, "An animation of the file, by name or index");
+    app.add_option("--time", o.time, "The moment of the animation, in seconds")
+        ->check(finiteNumber())
+        ->needs(app.get_option("--animation"));
+}
+
 void addDisplayOptions(CLI::App& app, RenderOptions& o) {
     CLI::Option* scale =
         app.add_option("--exposure-scale", o.exposureScale, "A linear factor on radiance")
@@ -127,10 +144,7 @@ void addDisplayOptions(CLI::App& app, RenderOptions& o) {
                         {"agx", ToneMap::agx},
                         {"aces", ToneMap::aces}},
                        "How radiance becomes a display's colours (neutral)");
-    app.add_option("--animation", o.animation, "An animation of the file, by name or index");
-    app.add_option("--time", o.time, "The moment of the animation, in seconds")
-        ->check(finiteNumber())
-        ->needs(app.get_option("--animation"));
+    addAnimationOptions(app, o);
 }
 
 void addQualityOptions(CLI::App& app, RenderOptions& o) {
@@ -264,8 +278,22 @@ void addRenderOptions(CLI::App& app, RenderOptions& o) {
     app.add_option("--stats", o.stats, "Write the numbers of the last frame as JSON");
     addCameraOptions(app, o);
     addLightOptions(app, o);
+    app.add_option("--probes", o.probes,
+                   "Indirect light: a file of rushlight bake, off, or bake now (the .probes file "
+                   "beside the scene, if it was baked under this light)");
+    addProbeOptions(app, o);
     addDisplayOptions(app, o);
     addQualityOptions(app, o);
+}
+
+void addBakeOptions(CLI::App& app, RenderOptions& o) {
+    app.add_option("SCENE", o.scene, "A .gltf or .glb file")->required();
+    app.add_option("--threads", o.threads, "Threads that trace; 0: one a core")
+        ->check(CLI::Range(0u, 256u));
+    app.add_flag("--strict", o.strict, "What is approximated or unsupported is an error");
+    addLightOptions(app, o);
+    addProbeOptions(app, o);
+    addAnimationOptions(app, o);
 }
 
 void addContextOption(CLI::App& app, ContextChoice& choice) {

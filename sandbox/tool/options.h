@@ -48,6 +48,10 @@ struct RenderOptions {
     bool autoExposure = false;
     ToneMap toneMap = ToneMap::neutral;
 
+    std::string probes;  ///< a file, off, bake; empty: the file beside the scene, if there is one
+    float probeSpacing = 0;  ///< metres; 0: chosen
+    uint32_t probeSamples = 512;
+
     std::string animation;  ///< name or index; empty: none
     float time = 0;
 
@@ -79,6 +83,8 @@ struct RenderOptions {
 CLI::Validator finiteNumber();
 
 void addRenderOptions(CLI::App& command, RenderOptions& options);
+/// What bears on the light of a scene, for what renders no picture.
+void addBakeOptions(CLI::App& command, RenderOptions& options);
 /// --context alone, for what renders no scene.
 void addContextOption(CLI::App& command, ContextChoice& choice);
 

@@ -4,10 +4,12 @@
 #include "engine/jobs/tbb_jobs.h"
 #include "renderer/capture/image_files.h"
 #include "sandbox/tool/command.h"
+#include "sandbox/tool/probes.h"
 #include "sandbox/viewer/program_files.h"
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 
 namespace rushlight::tool {
 namespace {
@@ -42,13 +44,27 @@ Result<std::unique_ptr<RenderSetup>> RenderSetup::open(const RenderOptions& opti
     if (step) step = setup->chooseCamera();
     if (!step) return tl::unexpected(step.error());
     setup->chooseLights();
+    if (step = setup->loadProbes(); !step) return tl::unexpected(step.error());
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
     setup->loadMs_ = elapsed.count();
     return setup;
 }
 
+Result<std::unique_ptr<RenderSetup>> RenderSetup::openToBake(const RenderOptions& options) {
+    std::unique_ptr<RenderSetup> setup(new RenderSetup(options));
+    setup->jobs_ = createTbbJobs(options.threads);
+    Result<void> step = setup->loadScene();
+    if (step) step = setup->createRenderer(nullptr);
+    if (step) step = setup->loadEnvironment();
+    if (step) step = setup->chooseCamera();
+    if (!step) return tl::unexpected(step.error());
+    setup->chooseLights();
+    return setup;
+}
+
 RenderSetup::~RenderSetup() {
+    if (renderer_ && probes_) renderer_->destroy(probes_);
     if (renderer_ && environment_) renderer_->destroy(environment_);
 }
 
@@ -72,8 +88,12 @@ Result<void> RenderSetup::startRenderer(bool pinRasterThreads) {
     auto context = createOffscreenContext(options_.context, {.pinRasterThreads = pinRasterThreads});
     if (!context) return tl::unexpected(context.error());
     context_ = std::move(*context);
+    return createRenderer(context_->loader());
+}
+
+Result<void> RenderSetup::createRenderer(GlLoadFunction loader) {
     RendererDesc desc;
-    desc.loadGl = context_->loader();
+    desc.loadGl = loader;
     desc.jobs = jobs_.get();
     desc.log.write = logToStandardError;
     desc.cacheDirectory = userCacheDirectory();
@@ -102,6 +122,12 @@ Result<void> RenderSetup::loadEnvironment() {
     std::vector<vec3> pixels(picture->pixelCount());
     for (size_t i = 0; i < pixels.size(); ++i)
         pixels[i] = {picture->rgba[i * 4], picture->rgba[i * 4 + 1], picture->rgba[i * 4 + 2]};
+    if (options_.probes != "off" || !context_) {
+        environmentPixels_ = pixels;
+        environmentSize_ = {picture->width, picture->height};
+    }
+    hasEnvironment_ = true;
+    if (!context_) return {};
     EnvironmentDesc desc;
     desc.label = options_.environment;
     desc.width = picture->width;
@@ -158,8 +184,49 @@ Result<void> RenderSetup::chooseCamera() {
     return {};
 }
 
+BakeLighting RenderSetup::bakeLighting() const {
+    const FrameInput input = frame();
+    const Lighting& from = input.lighting;
+    BakeLighting lighting;
+    lighting.directional = from.directional;
+    lighting.punctual = from.punctual;
+    lighting.environment = {"environment", environmentSize_.x, environmentSize_.y,
+                            environmentPixels_};
+    lighting.environmentRotation = from.environmentRotation;
+    lighting.environmentIntensity = from.environmentIntensity;
+    lighting.ambientSky = from.ambientSky;
+    lighting.ambientGround = from.ambientGround;
+    return lighting;
+}
+
+Result<IrradianceVolume> RenderSetup::bakeProbes() {
+    return tool::bakeProbes(*bridge_, bakeLighting(), options_.probeSpacing, options_.probeSamples,
+                            *jobs_);
+}
+
+// A file that is named is used as it is, one that merely lies there only under the light that it was baked for.
+Result<void> RenderSetup::loadProbes() {
+    if (options_.probes == "off") return {};
+    const bool named = !options_.probes.empty(), bakes = options_.probes == "bake";
+    const std::string path = named ? options_.probes : defaultProbePath(options_.scene);
+    if (std::error_code ignored; !named && !std::filesystem::exists(path, ignored)) return {};
+    const auto volume = bakes ? bakeProbes() : readProbes(path);
+    if (!volume) return tl::unexpected(volume.error());
+    const bool sameLight = bakes || volume->lightHash == hashOf(bakeLighting());
+    environmentPixels_ = {};
+    if (!sameLight)
+        printWarning(path + ": the probes were baked under other light than is asked for" +
+                     (named ? "." : "; they are not used. Name the file with --probes to use it "
+                                    "all the same, or bake again."));
+    if (!sameLight && !named) return {};
+    const auto created = renderer_->createIrradianceVolume(*volume);
+    if (!created) return tl::unexpected(created.error());
+    probes_ = *created;
+    return {};
+}
+
 void RenderSetup::chooseLights() {
-    if (bridge_->hasLights() || environment_ || options_.ambient) return;
+    if (bridge_->hasLights() || hasEnvironment_ || options_.ambient) return;
     defaultLights_ = true;
     const mat4 worldFromView = glm::inverse(frame().view.viewFromWorld);
     defaultSun_.direction = glm::normalize(mat3(worldFromView) * vec3(-0.3f, -0.6f, -1));
@@ -178,6 +245,7 @@ FrameInput RenderSetup::frame() const {
     input.settings = settingsFrom(options_);
     Lighting& lighting = input.lighting;
     lighting.environment = environment_;
+    lighting.irradianceVolume = probes_;
     lighting.environmentRotation = glm::radians(options_.environmentRotation);
     lighting.environmentIntensity = options_.environmentIntensity;
     lighting.background =

@@ -2,6 +2,7 @@
 // A scene, loaded and ready to be rendered as the options say.
 
 #include "engine/assets/model.h"
+#include "renderer/raytrace/probe_bake.h"
 #include "renderer/renderer.h"
 #include "renderer/scene_bridge/scene_bridge.h"
 #include "sandbox/tool/options.h"
@@ -14,7 +15,11 @@ class RenderSetup {
 public:
     static Result<std::unique_ptr<RenderSetup>> open(const RenderOptions& options,
                                                  bool pinRasterThreads);
+    /// With the null backend: needs no context and draws nothing.
+    static Result<std::unique_ptr<RenderSetup>> openToBake(const RenderOptions& options);
     ~RenderSetup();
+
+    Result<IrradianceVolume> bakeProbes();
 
     /// Moves the animation that --animation names; without one nothing moves.
     Result<void> setTime(float seconds);
@@ -32,7 +37,10 @@ private:
     explicit RenderSetup(const RenderOptions& options) : options_(options) {}
     Result<void> loadScene();
     Result<void> startRenderer(bool pinRasterThreads);
+    Result<void> createRenderer(GlLoadFunction loader);  ///< and the bridge
     Result<void> loadEnvironment();
+    Result<void> loadProbes();
+    BakeLighting bakeLighting() const;
     Result<void> chooseCamera();
     void chooseLights();
     View viewThatFrames(const Aabb& bounds) const;
@@ -46,9 +54,13 @@ private:
     std::unique_ptr<Renderer> renderer_;
     std::unique_ptr<SceneBridge> bridge_;
     EnvironmentHandle environment_;
+    std::vector<vec3> environmentPixels_;  ///< kept where probes are baked or checked
+    uvec2 environmentSize_{0};
+    IrradianceVolumeHandle probes_;
     int animation_ = -1;
     int camera_ = -1;  ///< -1: `view_`
     View view_;
+    bool hasEnvironment_ = false;
     bool defaultLights_ = false;
     DirectionalLight defaultSun_;
     double loadMs_ = 0;

@@ -1,14 +1,16 @@
-// Light from everywhere: an environment, or a hemisphere.
-#if defined(ENVIRONMENT) || defined(HEMISPHERE)
+// Light from everywhere: irradiance probes, an environment, or a hemisphere.
+#if defined(ENVIRONMENT) || defined(HEMISPHERE) || defined(IRRADIANCE_VOLUME)
 #include "common/ambient_specular.glsl"
 
-#if defined(ENVIRONMENT)
+#if defined(ENVIRONMENT) && !defined(IRRADIANCE_VOLUME)
 layout(binding = RL_TEXTURE_IRRADIANCE) uniform samplerCube irradianceMap;
 #endif
 
 // Irradiance over pi that a surface with the normal n would get if nothing hid it.
-vec3 ambientIrradiance(vec3 n) {
-#if defined(ENVIRONMENT)
+vec3 ambientIrradiance(LitSurface s, vec3 n) {
+#if defined(IRRADIANCE_VOLUME)
+    return s.tint * irradianceShape(s.flow, n);
+#elif defined(ENVIRONMENT)
     return textureLod(irradianceMap, turnToEnvironment(n), 0.0).rgb * L_ENVIRONMENT.z;
 #else
     return mix(L_AMBIENT_GROUND.rgb, L_AMBIENT_SKY.rgb, n.y * 0.5 + 0.5);
@@ -32,7 +34,7 @@ vec3 diffuseVisibility(LitSurface s) {
 
 vec3 ambientLight(LitSurface s) {
     EnvironmentWeights w = ambientWeights(s);
-    return w.diffuse * ambientIrradiance(s.bent) * diffuseVisibility(s) + ambientSpecular(s, w);
+    return w.diffuse * ambientIrradiance(s, s.bent) * diffuseVisibility(s) + ambientSpecular(s, w);
 }
 #else
 vec3 ambientLight(LitSurface s) { return vec3(0.0); }

@@ -4,6 +4,10 @@
 #include "interop/occlusion_arc.h"
 #endif
 
+#if defined(IRRADIANCE_VOLUME)
+#include "interop/irradiance_volume.h"
+#endif
+
 #if defined(ENVIRONMENT)
 layout(binding = RL_TEXTURE_ENVIRONMENT) uniform samplerCube environmentMap;
 layout(binding = RL_TEXTURE_BRDF_TABLE) uniform sampler2D brdfTable;
@@ -36,8 +40,18 @@ EnvironmentWeights ambientWeights(LitSurface s) {
 vec3 surroundingsMirrored(LitSurface s) {
     vec3 r = reflect(-s.point.view, s.point.normal);
 #if defined(ENVIRONMENT)
+    float brightness = L_ENVIRONMENT.z;
+#if defined(IRRADIANCE_VOLUME)
+    // The far environment, as bright as what is around this place: Hooker 2016, "Volumetric Global Illumination at
+    // Treyarch", normalises reflection probes so.
+    float here = dot(s.tint, vec3(0.2126, 0.7152, 0.0722)) * irradianceShape(s.flow, r);
+    float there = L_VOLUME_OUTER_LUMINANCE.x * irradianceShape(L_VOLUME_OUTER_LUMINANCE.yzw, r);
+    brightness *= clamp(here / max(there, 1e-6), 0.0, 4.0);
+#endif
     return textureLod(environmentMap, turnToEnvironment(r),
-                      environmentLevel(s.roughness, L_ENVIRONMENT.w)).rgb * L_ENVIRONMENT.z;
+                      environmentLevel(s.roughness, L_ENVIRONMENT.w)).rgb * brightness;
+#elif defined(IRRADIANCE_VOLUME)
+    return s.tint * irradianceShape(s.flow, r);
 #elif defined(HEMISPHERE)
     return mix(L_AMBIENT_GROUND.rgb, L_AMBIENT_SKY.rgb, r.y * 0.5 + 0.5);
 #else

@@ -12,3 +12,8 @@ layout(std140, binding = RL_UNIFORMS_LIGHTING) uniform LightingBlock { LightingU
 #define L_ENVIRONMENT lighting.environment
 #define L_AMBIENT_SKY lighting.ambientSky
 #define L_AMBIENT_GROUND lighting.ambientGround
+#define L_VOLUME_ORIGIN lighting.volumeOrigin
+#define L_VOLUME_SCALE lighting.volumeScale
+#define L_VOLUME_LAST lighting.volumeLast
+#define L_VOLUME_OUTER(i) lighting.volumeOuter[i]
+#define L_VOLUME_OUTER_LUMINANCE lighting.volumeOuterLuminance

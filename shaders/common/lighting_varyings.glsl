@@ -38,6 +38,15 @@ layout(location = 23) flat LIGHTING_VARYING vec4 flatEnvironment;
 layout(location = 23) flat LIGHTING_VARYING vec4 flatAmbientSky;
 layout(location = 24) flat LIGHTING_VARYING vec4 flatAmbientGround;
 #endif
+#if defined(IRRADIANCE_VOLUME)
+layout(location = 25) flat LIGHTING_VARYING vec4 flatVolumeOuterLuminance;
+#endif
+#if defined(IRRADIANCE_LOOKUP)
+layout(location = 5) flat LIGHTING_VARYING vec4 flatVolumeOrigin;
+layout(location = 6) flat LIGHTING_VARYING vec4 flatVolumeScale;
+layout(location = 7) flat LIGHTING_VARYING vec4 flatVolumeLast;
+layout(location = 8) flat LIGHTING_VARYING vec4 flatVolumeOuter[3];
+#endif
 
 #if defined(VERTEX_STAGE)
 
@@ -77,6 +86,15 @@ void writeLightingVaryings(vec2 uv) {
     flatAmbientSky = lighting.ambientSky;
     flatAmbientGround = lighting.ambientGround;
 #endif
+#if defined(IRRADIANCE_VOLUME)
+    flatVolumeOuterLuminance = lighting.volumeOuterLuminance;
+#endif
+#if defined(IRRADIANCE_LOOKUP)
+    flatVolumeOrigin = lighting.volumeOrigin;
+    flatVolumeScale = lighting.volumeScale;
+    flatVolumeLast = lighting.volumeLast;
+    for (int i = 0; i < 3; ++i) flatVolumeOuter[i] = lighting.volumeOuter[i];
+#endif
 }
 
 #else
@@ -92,4 +110,9 @@ void writeLightingVaryings(vec2 uv) {
 #define L_ENVIRONMENT flatEnvironment
 #define L_AMBIENT_SKY flatAmbientSky
 #define L_AMBIENT_GROUND flatAmbientGround
+#define L_VOLUME_ORIGIN flatVolumeOrigin
+#define L_VOLUME_SCALE flatVolumeScale
+#define L_VOLUME_LAST flatVolumeLast
+#define L_VOLUME_OUTER(i) flatVolumeOuter[i]
+#define L_VOLUME_OUTER_LUMINANCE flatVolumeOuterLuminance
 #endif

@@ -10,6 +10,8 @@ struct LitSurface {
     float occlusion;  // the material's
     float visible;    // by the surroundings: cosine-weighted share of the ambient light that is not hidden
     vec3 bent;        // unit: where it comes from on the mean; the normal where nothing is hidden
+    vec3 tint;        // with an irradiance volume: see shareableLight of common/irradiance_probes.glsl
+    vec3 flow;
     ShadingPoint point;
 };
 
@@ -24,6 +26,8 @@ LitSurface makeLitSurface(vec3 position, float viewDepth, vec3 view, vec3 normal
     s.occlusion = occlusion;
     s.visible = 1.0;
     s.bent = normal;
+    s.tint = vec3(0.0);
+    s.flow = vec3(0.0);
     s.point = makeShadingPoint(baseColor, metallic, roughness, normal, view);
     return s;
 }

@@ -53,5 +53,10 @@
 #define RL_TEXTURE_SHADOW_ATLAS 21
 #define RL_TEXTURE_SHADOW_FACES 22
 #define RL_TEXTURE_AMBIENT_OCCLUSION 25
+// Irradiance probes, where they are looked up; and what lighting reads of that, in the same units
+#define RL_TEXTURE_PROBE_DISTANCES 26
+#define RL_TEXTURE_LOCAL_TINT 26
+#define RL_TEXTURE_PROBE_RECORDS 28
+#define RL_TEXTURE_LOCAL_FLOW 28
 
 #endif

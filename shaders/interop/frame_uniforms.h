@@ -44,13 +44,18 @@ struct LightingUniforms {
     vec4 ambientSky;      // rgb
     vec4 ambientGround;   // rgb
     vec4 background;      // rgb, a: 0 where the picture is to be transparent
+    vec4 volumeOrigin;    // irradiance probes: xyz: the first, relative position; w: metres that points go off surfaces
+    vec4 volumeScale;     // xyz: 1 / spacing
+    vec4 volumeLast;      // xyz: number of the last probe along each axis
+    vec4 volumeOuter[3];  // beyond them, by colour: x: mean radiance, yzw: mean of radiance times direction
+    vec4 volumeOuterLuminance;  // the same of luminance; yzw over x
 };
 
 RL_INTEROP_END
 
 #ifndef GLSL
 static_assert(sizeof(rushlight::interop::ViewUniforms) == 160);
-static_assert(sizeof(rushlight::interop::LightingUniforms) == 16 * (10 + 3 + 4 + 2 + 8 + 4));
+static_assert(sizeof(rushlight::interop::LightingUniforms) == 16 * (10 + 3 + 4 + 2 + 8 + 4 + 7));
 #endif
 
 #endif

@@ -3,6 +3,10 @@
 #include "common/lighting_block.glsl"
 #include "common/lighting.glsl"
 
+#if defined(IRRADIANCE_VOLUME)
+#include "common/irradiance_probes.glsl"
+#endif
+
 layout(std140, binding = RL_UNIFORMS_VIEW) uniform ViewBlock { ViewUniforms view; };
 
 layout(location = 0) out vec4 radiance;  // premultiplied
@@ -19,6 +23,9 @@ void main() {
     float viewDepth = dot(surfacePosition, view.cameraForward.xyz);
     LitSurface s = makeLitSurface(surfacePosition, viewDepth, towardsEye, g.normal,
                                   g.baseColor.rgb, g.metallic, g.roughness, g.occlusion);
+#if defined(IRRADIANCE_VOLUME)
+    shareableLight(lightAround(surfacePosition, g.normal), g.normal, s.tint, s.flow);
+#endif
     vec3 lit = lightSurface(s, gl_FragCoord.xy) + g.emissive;
     radiance = vec4(lit * g.baseColor.a, g.baseColor.a);
 #endif

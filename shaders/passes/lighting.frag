@@ -5,6 +5,10 @@
 #include "common/ambient_occlusion.glsl"
 #endif
 
+#if defined(IRRADIANCE_VOLUME)
+#include "common/local_light.glsl"
+#endif
+
 layout(binding = RL_TEXTURE_GBUFFER0) uniform sampler2D gbuffer0;
 layout(binding = RL_TEXTURE_GBUFFER1) uniform sampler2D gbuffer1;
 layout(binding = RL_TEXTURE_GBUFFER2) uniform sampler2D gbuffer2;
@@ -38,6 +42,9 @@ void main() {
         ambientVisibility(gl_FragCoord.xy, depth, abs(perDepth), g.normal);
     s.visible = ambient.visible;
     s.bent = ambient.bent;
+#endif
+#if defined(IRRADIANCE_VOLUME)
+    localLight(gl_FragCoord.xy, viewDepth, s.tint, s.flow);
 #endif
     vec3 lit = lightSurface(s, gl_FragCoord.xy) + g.emissive;
     radiance = vec4(g.unlit > 0.5 ? g.baseColor : lit, 1.0);

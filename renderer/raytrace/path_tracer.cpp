@@ -1,0 +1,135 @@
+#include "renderer/raytrace/path_tracer.h"
+
+#include "interop/brdf.h"
+#include "renderer/frame/vertex_packing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rushlight {
+
+struct PathTracer::Surface {
+    vec3 origin;  // off the surface
+    // Geometric, on the side the path came from: it loses no energy where a smooth normal points away from a coarse
+    // triangle, and what is gathered is smooth anyway.
+    vec3 normal;
+    vec3 albedo;
+};
+
+namespace {
+
+constexpr uint32_t kSureBounces = 2;     // before paths may end by chance
+constexpr float kMostSurvival = 0.95f;
+
+float luminance(const vec3& c) { return glm::dot(c, vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+vec3 hemisphericalAlbedo(const RaySurface& s, float nDotV, const BrdfTable& table) {
+    const vec3 f0 = glm::mix(vec3(interop::kDielectricF0), s.baseColor, s.metallic);
+    const vec2 split = table.lookUp(nDotV, interop::clampRoughness(s.roughness));
+    const interop::EnvironmentWeights w =
+        interop::environmentWeights(s.baseColor * (1 - s.metallic), f0, split);
+    return glm::clamp(w.diffuse + w.specular, vec3(0), vec3(1));
+}
+
+vec3 cosineDirection(const vec3& normal, RayRandom& random) {
+    const float r = std::sqrt(random.next()), phi = 2 * kPi * random.next();
+    const vec3 tangent = perpendicular(normal);
+    const vec3 d = tangent * (r * std::cos(phi)) + glm::cross(normal, tangent) * (r * std::sin(phi)) +
+                   normal * std::sqrt(std::max(0.0f, 1 - r * r));
+    return glm::normalize(d);
+}
+
+}  // namespace
+
+vec3 PathTracer::directLight(const Surface& s, RayRandom& random) const {
+    vec3 sum(0);
+    for (const DirectionalLight& sun : light_.suns()) {
+        const float cosine = -glm::dot(s.normal, sun.direction);
+        if (cosine <= 0) continue;
+        if (sun.castsShadow && scene_.occluded({s.origin, -sun.direction})) continue;
+        sum += sun.illuminance * cosine;
+    }
+    return s.albedo * interop::kInversePi * (sum + punctualLight(s, random) + skyLight(s, random));
+}
+
+// Irradiance of all, by one shadow ray: a light is drawn by what it would give if nothing were in between.
+vec3 PathTracer::punctualLight(const Surface& s, RayRandom& random) const {
+    float total = 0, chosenWeight = 0;
+    vec3 chosen(0), towards(0);
+    float distance = 0;
+    for (const PunctualLight& light : light_.punctual()) {
+        const vec3 to = light.position - s.origin;
+        const float distance2 = glm::dot(to, to);
+        if (light.range > 0 && distance2 > light.range * light.range) continue;
+        const vec3 l = to / std::sqrt(std::max(distance2, 1e-8f));
+        const float cosine = glm::dot(s.normal, l);
+        if (cosine <= 0) continue;
+        float attenuation =
+            interop::distanceAttenuation(distance2, interop::inverseRangeSquared(light.range));
+        if (light.outerConeAngle >= 0)
+            attenuation *= interop::spotAttenuation(
+                -glm::dot(l, light.direction),
+                interop::spotScaleOffset(light.innerConeAngle, light.outerConeAngle));
+        const vec3 irradiance = light.intensity * (attenuation * cosine);
+        const float weight = luminance(irradiance);
+        if (!(weight > 0)) continue;
+        total += weight;
+        if (random.next() * total > weight) continue;
+        chosen = irradiance;
+        chosenWeight = weight;
+        towards = l;
+        distance = std::sqrt(distance2);
+    }
+    if (!(chosenWeight > 0)) return vec3(0);
+    if (scene_.occluded({s.origin, towards, 0, distance * 0.9999f})) return vec3(0);
+    return chosen * (total / chosenWeight);
+}
+
+vec3 PathTracer::skyLight(const Surface& s, RayRandom& random) const {
+    const SkySample sky = light_.sampleSky(random);
+    if (!(sky.density > 0)) return vec3(0);
+    const float cosine = glm::dot(s.normal, sky.direction);
+    if (cosine <= 0) return vec3(0);
+    if (scene_.occluded({s.origin, sky.direction})) return vec3(0);
+    return sky.radiance * (cosine / (sky.density + cosine * interop::kInversePi));
+}
+
+vec3 PathTracer::radiance(const vec3& origin, const vec3& direction, float density,
+                          float skySamples, RayRandom& random) const {
+    vec3 sum(0), throughput(1);
+    Ray ray{origin, direction};
+    for (uint32_t bounce = 0;; ++bounce) {
+        RayHit hit;
+        if (!scene_.intersect(ray, hit)) {
+            const float other = skySamples * light_.skyDensity(ray.direction);
+            const float share = std::isinf(density) ? 1 : density / (density + other);
+            return sum + throughput * light_.sky(ray.direction) * share;
+        }
+        const RaySurface surface = scene_.surface(hit);
+        if (!hit.front && !surface.doubleSided) return sum;
+        sum += throughput * (surface.unlit ? surface.baseColor : surface.emissive);
+        if (surface.unlit) return sum;
+
+        Surface s;
+        s.normal = hit.front ? hit.geometricNormal : -hit.geometricNormal;
+        const float nDotV = std::clamp(-glm::dot(s.normal, ray.direction), interop::kMinNdotV, 1.0f);
+        s.albedo = hemisphericalAlbedo(surface, nDotV, table_);
+        s.origin = offsetOrigin(hit.position, s.normal);
+        sum += throughput * directLight(s, random);
+        if (bounce >= bounces_) return sum;
+
+        throughput *= s.albedo;
+        if (bounce >= kSureBounces) {
+            const float survival =
+                std::min(std::max(throughput.x, std::max(throughput.y, throughput.z)), kMostSurvival);
+            if (!(random.next() < survival)) return sum;
+            throughput /= survival;
+        }
+        const vec3 d = cosineDirection(s.normal, random);
+        density = std::max(glm::dot(d, s.normal), 1e-6f) * interop::kInversePi;
+        skySamples = 1;
+        ray = {s.origin, d};
+    }
+}
+
+}  // namespace rushlight

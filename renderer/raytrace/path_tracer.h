@@ -1,0 +1,39 @@
+#pragma once
+// Light along a ray, by paths. Bounces are diffuse with the surface's whole albedo, diffuse and specular, from the
+// shared BRDF (environmentWeights): for light that is gathered over a hemisphere anyway.
+
+#include "renderer/frame/brdf_table.h"
+#include "renderer/raytrace/bake_light.h"
+#include "renderer/raytrace/ray_scene.h"
+
+namespace rushlight {
+
+class PathTracer {
+public:
+    /// All must outlive it. `bounces`: at most so many after the first surface.
+    PathTracer(const RayScene& scene, const BakeLight& light, const BrdfTable& table,
+               uint32_t bounces)
+        : scene_(scene), light_(light), table_(table), bounces_(bounces) {}
+
+    /// Radiance that arrives at `origin` from `direction` (unit). `density` is that with which the direction was drawn
+    /// where sampleSky() was drawn from as well, per steradian and times the number of samples each: light of the sky
+    /// is weighted by the balance heuristic (Veach 1997, section 9.2.2). Infinite: the sky counts in full.
+    vec3 radiance(const vec3& origin, const vec3& direction, float density, float skySamples,
+                  RayRandom& random) const;
+
+    const BakeLight& light() const { return light_; }
+    const RayScene& scene() const { return scene_; }
+
+private:
+    struct Surface;
+    vec3 directLight(const Surface& surface, RayRandom& random) const;
+    vec3 punctualLight(const Surface& surface, RayRandom& random) const;
+    vec3 skyLight(const Surface& surface, RayRandom& random) const;
+
+    const RayScene& scene_;
+    const BakeLight& light_;
+    const BrdfTable& table_;
+    uint32_t bounces_;
+};
+
+}  // namespace rushlight

@@ -1,0 +1,104 @@
+#include "renderer/raytrace/probe_distances.h"
+
+#include "interop/irradiance_volume.h"
+#include "renderer/raytrace/ray_random.h"
+
+#include <array>
+#include <limits>
+
+namespace rushlight {
+namespace {
+
+constexpr uint32_t kPlaceRays = 128;
+constexpr uint32_t kPlaceSteps = 5;
+constexpr float kMostBacks = 0.25f;      // share of rays that meet a back
+constexpr float kClearance = 0.2f;       // of the smallest spacing, to the nearest front
+constexpr float kMostOffset = 0.45f;     // of the spacing
+constexpr uint32_t kDistanceRays = 1024;
+
+struct Surroundings {
+    float backs = 0;  // share
+    float nearestBack = std::numeric_limits<float>::infinity();
+    float nearestFront = std::numeric_limits<float>::infinity();
+    vec3 towardsBack{0}, frontNormal{0};
+};
+
+Surroundings lookAround(const RayScene& scene, const vec3& position) {
+    Surroundings s;
+    for (uint32_t i = 0; i < kPlaceRays; ++i) {
+        const vec3 d = fibonacciDirection(i, kPlaceRays, 0);
+        RayHit hit;
+        if (!scene.intersect({position, d}, hit)) continue;
+        const bool back = !hit.front && !scene.surface(hit).doubleSided;
+        if (back) {
+            s.backs += 1.0f / float(kPlaceRays);
+            if (hit.distance >= s.nearestBack) continue;
+            s.nearestBack = hit.distance;
+            s.towardsBack = d;
+        } else if (hit.distance < s.nearestFront) {
+            s.nearestFront = hit.distance;
+            s.frontNormal = hit.front ? hit.geometricNormal : -hit.geometricNormal;
+        }
+    }
+    return s;
+}
+
+}  // namespace
+
+ProbePlace findProbePlace(const RayScene& scene, const ProbeGrid& grid, uint32_t probe) {
+    const vec3 home = grid.position(probe);
+    const float clearance = kClearance * grid.smallestSpacing();
+    const vec3 most = kMostOffset * grid.spacing;
+    ProbePlace place;
+    for (uint32_t step = 0;; ++step) {
+        const Surroundings s = lookAround(scene, home + place.offset);
+        place.open = s.backs <= kMostBacks;
+        if (step == kPlaceSteps) return place;
+        vec3 move(0);
+        if (!place.open)
+            move = s.towardsBack * (s.nearestBack + 0.5f * clearance);
+        else if (s.nearestFront < clearance)
+            move = s.frontNormal * (clearance - s.nearestFront + 1e-3f * clearance);
+        else
+            return place;
+        const vec3 moved = glm::clamp(place.offset + move, -most, most);
+        if (moved == place.offset) return place;
+        place.offset = moved;
+    }
+}
+
+void measureDistances(const RayScene& scene, IrradianceVolume& volume, uint32_t probe,
+                      const vec3& position) {
+    const float farthest = 1.5f * glm::length(volume.grid.spacing);
+    std::array<vec3, kDistanceRays> directions;
+    std::array<float, kDistanceRays> distances;
+    for (uint32_t i = 0; i < kDistanceRays; ++i) {
+        directions[i] = fibonacciDirection(i, kDistanceRays, 0);
+        RayHit hit;
+        distances[i] = scene.intersect({position, directions[i], 0, farthest}, hit) ? hit.distance
+                                                                                     : farthest;
+    }
+    for (uint32_t texel = 0; texel < kProbeDistances; ++texel) {
+        const vec2 at = (vec2(texel % RL_PROBE_TEXELS, texel / RL_PROBE_TEXELS) + 0.5f) *
+                            (2.0f / RL_PROBE_TEXELS) - 1.0f;
+        const vec3 axis = interop::decodeOctahedral(at);
+        double total = 0, mean = 0, square = 0;
+        for (uint32_t i = 0; i < kDistanceRays; ++i) {
+            const float cosine = glm::dot(axis, directions[i]);
+            if (cosine < 0.8f) continue;
+            double weight = double(cosine) * double(cosine);  // to the 48th
+            weight = weight * weight * weight;
+            weight *= weight;
+            weight *= weight;
+            weight *= weight;
+            total += weight;
+            mean += weight * double(distances[i]);
+            square += weight * double(distances[i]) * double(distances[i]);
+        }
+        mean /= total;
+        const double variance = std::max(square / total - mean * mean, 0.0);
+        volume.setDistance(probe, texel, {float(mean), float(std::sqrt(variance))});
+    }
+}
+
+}  // namespace rushlight
