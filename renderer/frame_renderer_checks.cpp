@@ -53,6 +53,11 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
                        lighting.environmentIntensity))
         return wrong("lighting", "the ambient light, the background or the environment's rotation "
                                  "or intensity is not finite.");
+    const SunDisk& disk = lighting.sunDisk;
+    if (!(disk.radius > 0 && disk.radius < 1.5f) || !(glm::length(disk.direction) > 0) ||
+        !std::isfinite(glm::length(disk.direction) + glm::length(disk.radiance)))
+        return wrong("lighting", "the sun's disk is not finite, has no direction, or a radius outside "
+                                 "of 0 to 1.5 radians.");
     const FrameSettings& s = input.settings;
     for (const auto& [name, value] : {std::pair("shadowDistance", s.shadowDistance),
                                       std::pair("bloomStrength", s.bloomStrength),

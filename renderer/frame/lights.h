@@ -23,6 +23,13 @@ struct PunctualLight {
 
 enum class Background : uint8_t { color, environment, transparent };
 
+/// The sun, seen: drawn over an environment that is shown as the background. It lights nothing.
+struct SunDisk {
+    vec3 direction{0, 1, 0};  ///< unit, world space, towards it
+    float radius = 0.004675f;  ///< radians
+    vec3 radiance{0};          ///< black: there is none
+};
+
 struct Lighting {
     std::span<const DirectionalLight> directional;  ///< at most kMaxDirectionalLights; the first that casts has shadows
     std::span<const PunctualLight> punctual;        ///< at most kMaxPunctualLights
@@ -33,6 +40,7 @@ struct Lighting {
     vec3 ambientGround{0};  ///< from below
     Background background = Background::color;
     vec3 backgroundColor{0};  ///< linear radiance; not tone mapped to anything else than the surfaces are
+    SunDisk sunDisk;
 };
 
 inline constexpr uint32_t kMaxDirectionalLights = 4;

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace rushlight::tool {
@@ -18,6 +19,20 @@ bool parseNumber(std::string_view text, T& value) {
 
 [[noreturn]] void refuse(const std::string& text, const char* wanted) {
     throw CLI::ValidationError("\"" + text + "\" is not " + wanted);
+}
+
+/// "ELEVATION[,AZIMUTH[,TURBIDITY]]"
+SkyOption parseSky(const std::string& text) {
+    SkyOption sky;
+    float* const parts[] = {&sky.elevation, &sky.azimuth, &sky.turbidity};
+    std::string_view rest = text;
+    for (size_t i = 0; i < std::size(parts); ++i) {
+        const size_t comma = rest.find(',');
+        if (!parseNumber(rest.substr(0, comma), *parts[i])) break;
+        if (comma == rest.npos) return sky;
+        rest.remove_prefix(comma + 1);
+    }
+    refuse(text, "a sky as 30, 30,135 or 30,135,2: elevation, azimuth and turbidity");
 }
 
 vec3 parseVector(const std::string& text) {
@@ -91,6 +106,11 @@ void addLightOptions(CLI::App& app, RenderOptions& o) {
     app.add_option("--environment-intensity", o.environmentIntensity, "A factor on its light")
         ->check(finiteNumber())
         ->check(CLI::NonNegativeNumber);
+    app.add_option_function<std::string>(
+           "--sky", [&o](const std::string& text) { o.sky = parseSky(text); },
+           "ELEVATION[,AZIMUTH[,TURBIDITY]]: a clear sky with its sun, in degrees, as light, background and exposure; "
+           "it takes the place of the file's directional lights")
+        ->excludes(app.get_option("--environment"));
     addVector(app, "--ambient", o.ambient, "r,g,b: light from all around, without an environment");
     app.add_option_function<std::string>(
         "--background",

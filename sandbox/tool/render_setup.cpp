@@ -88,7 +88,24 @@ Result<void> RenderSetup::startRenderer(bool pinRasterThreads) {
     return setTime(options_.time);
 }
 
+Result<void> RenderSetup::makeSkyEnvironment() {
+    const float elevation = glm::radians(options_.sky->elevation);
+    const float azimuth = glm::radians(options_.sky->azimuth);
+    SkyDesc desc;
+    desc.sunDirection = {std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                         -std::cos(elevation) * std::cos(azimuth)};
+    desc.turbidity = options_.sky->turbidity;
+    auto sky = makeSky(desc, *jobs_);
+    if (!sky) return tl::unexpected(Error{"--sky", sky.error().message, sky.error().kind});
+    sky_ = std::move(*sky);
+    const auto created = renderer_->createEnvironment(sky_->environment("sky"));
+    if (!created) return tl::unexpected(created.error());
+    environment_ = *created;
+    return {};
+}
+
 Result<void> RenderSetup::loadEnvironment() {
+    if (options_.sky) return makeSkyEnvironment();
     if (options_.environment.empty()) {
         if (options_.background != Background::environment) return {};
         return fail("--background environment",
@@ -184,6 +201,16 @@ FrameInput RenderSetup::frame() const {
         options_.background.value_or(environment_ ? Background::environment : Background::color);
     lighting.backgroundColor = options_.backgroundColor;
     lighting.ambientSky = lighting.ambientGround = options_.ambient.value_or(vec3(0));
+    if (sky_) {
+        lighting.directional = {&sky_->sun, 1};
+        lighting.sunDisk = {-sky_->sun.direction, kSunAngularRadius, sky_->sunRadiance};
+        const bool chosen = options_.autoExposure || options_.exposureValue ||
+                            options_.exposureScale != 1;
+        if (!chosen) {
+            input.settings.useExposureValue = true;
+            input.settings.exposureValue = sky_->exposureValue;
+        }
+    }
     if (defaultLights_) {
         lighting.directional = {&defaultSun_, 1};
         lighting.ambientSky = vec3(0.6f);

@@ -2,6 +2,7 @@
 // A scene, loaded and ready to be rendered as the options say.
 
 #include "engine/assets/model.h"
+#include "renderer/frame/sky.h"
 #include "renderer/renderer.h"
 #include "renderer/scene_bridge/scene_bridge.h"
 #include "sandbox/tool/options.h"
@@ -33,6 +34,7 @@ private:
     Result<void> loadScene();
     Result<void> startRenderer(bool pinRasterThreads);
     Result<void> loadEnvironment();
+    Result<void> makeSkyEnvironment();
     Result<void> chooseCamera();
     void chooseLights();
     View viewThatFrames(const Aabb& bounds) const;
@@ -46,6 +48,7 @@ private:
     std::unique_ptr<Renderer> renderer_;
     std::unique_ptr<SceneBridge> bridge_;
     EnvironmentHandle environment_;
+    std::optional<Sky> sky_;  ///< of --sky
     int animation_ = -1;
     int camera_ = -1;  ///< -1: `view_`
     View view_;

@@ -10,6 +10,8 @@ RL_INTEROP_BEGIN
 #define RL_MAX_DIRECTIONAL_LIGHTS 4
 // A froxel is a square of pixels of this side, times a slice of depth.
 #define RL_CLUSTER_PIXELS 64
+// The most that a half float holds: brighter light is cut off there, not made infinite.
+#define RL_MAX_RADIANCE 65504.0
 
 // RL_UNIFORMS_VIEW, for passes that draw geometry: the camera's, or a cascade's.
 struct ViewUniforms {
@@ -39,13 +41,15 @@ struct LightingUniforms {
     vec4 ambientSky;      // rgb
     vec4 ambientGround;   // rgb
     vec4 background;      // rgb, a: 0 where the picture is to be transparent
+    vec4 sunDisk;         // xyz: towards it, w: cosine of its radius
+    vec4 sunDiskRadiance; // rgb
 };
 
 RL_INTEROP_END
 
 #ifndef GLSL
 static_assert(sizeof(rushlight::interop::ViewUniforms) == 160);
-static_assert(sizeof(rushlight::interop::LightingUniforms) == 16 * (10 + 3 + 4 + 1 + 8 + 4));
+static_assert(sizeof(rushlight::interop::LightingUniforms) == 16 * (10 + 3 + 4 + 1 + 8 + 4 + 2));
 #endif
 
 #endif

@@ -20,6 +20,6 @@ void main() {
     LitSurface s = makeLitSurface(surfacePosition, viewDepth, towardsEye, g.normal,
                                   g.baseColor.rgb, g.metallic, g.roughness, g.occlusion);
     vec3 lit = lightSurface(s, gl_FragCoord.xy) + g.emissive;
-    radiance = vec4(lit * g.baseColor.a, g.baseColor.a);
+    radiance = vec4(min(lit, RL_MAX_RADIANCE) * g.baseColor.a, g.baseColor.a);
 #endif
 }

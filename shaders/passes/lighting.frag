@@ -26,5 +26,5 @@ void main() {
     LitSurface s = makeLitSurface(position, viewDepth, view, g.normal, g.baseColor, g.metallic,
                                   g.roughness, g.occlusion);
     vec3 lit = lightSurface(s, gl_FragCoord.xy) + g.emissive;
-    radiance = vec4(g.unlit > 0.5 ? g.baseColor : lit, 1.0);
+    radiance = vec4(min(g.unlit > 0.5 ? g.baseColor : lit, RL_MAX_RADIANCE), 1.0);
 }
