@@ -51,6 +51,7 @@ Result<void> FrameRenderer::planDebugView(const FrameInput& input, const FinalTa
     in.shadowMap = lighting.shadowMap;
     in.shadowCascades = cascades_.count;
     in.clusters = lighting.clusters;
+    in.clusterWords = clusters_.recordWords;
     in.clusterMapping = clusters_.mapping();
     in.clusterCounts = clusters_.counts();
     in.depthDecode = camera.depthDecode;

@@ -23,20 +23,23 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
                                                      const CameraMatrices& camera,
                                                      const FrameOutput& output) {
     const Lighting& lighting = input.lighting;
-    clusters_.build(camera, output.target.width, output.target.height, lighting.punctual);
+    clusters_.build(camera, output.target.width, output.target.height,
+                    {lighting.punctual, {}});
     const GpuEnvironment* environment = environments.find(lighting.environment);
 
     LightingBindings b;
     b.features.directionalLights = uint32_t(lighting.directional.size());
     b.features.shadowCascades = cascades_.count;
-    b.features.clusteredLights = clusters_.visibleLights > 0;
+    const auto& ofClass = clusters_.visibleOfClass;
+    b.features.plainLights = ofClass[size_t(LightClass::plain)] > 0;
+    b.features.modulatedLights = ofClass[size_t(LightClass::modulated)] > 0;
     b.features.environment = environment != nullptr;
     b.features.hemisphere =
         lighting.ambientSky != vec3(0) || lighting.ambientGround != vec3(0);
     b.features.orthographic = !camera.perspective;
     b.uniforms = uniforms(
         makeLightingUniforms(camera, lighting, sun_, clusters_, cascades_, environment));
-    if (b.features.clusteredLights) {
+    if (b.features.clusteredLights()) {
         b.lights = commands_.append(std::span<const GpuLight>(clusters_.lights));
         b.clusters = commands_.append(std::span<const uint32_t>(clusters_.clusters));
         b.lightIndices = commands_.append(std::span<const uint16_t>(clusters_.indices));

@@ -3,6 +3,7 @@
 #include "shaders/interop/frame_uniforms.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace rushlight {
@@ -42,7 +43,7 @@ float effectiveRange(const PunctualLight& light) {
 }
 
 void LightClusters::build(const CameraMatrices& camera, uint32_t width, uint32_t height,
-                          std::span<const PunctualLight> punctual) {
+                          const ClusterInputs& inputs) {
     width_ = width;
     height_ = height;
     tilesX = (width + RL_CLUSTER_PIXELS - 1) / RL_CLUSTER_PIXELS;
@@ -50,26 +51,38 @@ void LightClusters::build(const CameraMatrices& camera, uint32_t width, uint32_t
     lights.clear();
     indices.clear();
     references_.clear();
-    ranges_.clear();
-    clusters.assign(size_t(tilesX) * tilesY * kSlices, 0);
+    visible_.clear();
+    visibleOfClass = {};
     visibleLights = 0;
     droppedReferences = 0;
 
     float nearest = std::numeric_limits<float>::max(), farthest = 0;
-    for (const PunctualLight& light : punctual) {
+    for (uint32_t i = 0; i < inputs.punctual.size(); ++i) {
+        const PunctualLight& light = inputs.punctual[i];
         const float range = effectiveRange(light);
         if (!intersects(camera.frustum, light.position, vec3(range))) continue;
         const float depth = glm::dot(light.position - camera.position, camera.forward);
         if (depth + range < camera.nearPlane) continue;
         nearest = std::min(nearest, depth - range);
         farthest = std::max(farthest, depth + range);
-        lights.push_back(toGpu(light, camera.position));
-        ranges_.push_back(range);
+        const bool shadowed = !inputs.shadowRecords.empty() && inputs.shadowRecords[i] >= 0;
+        visible_.push_back({i, range, shadowed ? LightClass::modulated : LightClass::plain});
+        ++visibleOfClass[size_t(visible_.back().lightClass)];
     }
-    visibleLights = uint32_t(lights.size());
-    if (lights.empty()) return;
+    visibleLights = uint32_t(visible_.size());
+    recordWords = visibleOfClass[size_t(LightClass::plain)] == visibleLights ? 1 : 2;
+    clusters.assign(size_t(tilesX) * tilesY * kSlices * recordWords, 0);
+    if (visible_.empty()) return;
+    chooseSlices(camera, nearest, farthest);
 
-    // Slices span the lights alone; what is nearer or farther falls into the first or the last.
+    for (uint32_t c = 0; c < kLightClasses; ++c)
+        for (const VisibleLight& light : visible_)
+            if (uint32_t(light.lightClass) == c) addLight(camera, inputs, light);
+    writeLists();
+}
+
+// Slices span the lights alone; what is nearer or farther falls into the first or the last.
+void LightClusters::chooseSlices(const CameraMatrices& camera, float nearest, float farthest) {
     nearest = std::max({nearest, camera.nearPlane, 0.01f});
     farthest = std::max(farthest, nearest * 1.01f);
     sliceScale = float(kSlices) / std::log2(farthest / nearest);
@@ -79,32 +92,55 @@ void LightClusters::build(const CameraMatrices& camera, uint32_t width, uint32_t
         sliceEdges_[s] = nearest * std::pow(farthest / nearest, float(s) / kSlices);
     sliceEdges_[0] = std::min(camera.nearPlane, 0.0f);  // an orthographic view may begin behind the eye
     sliceEdges_[kSlices] = std::numeric_limits<float>::max();
+}
 
-    for (uint32_t i = 0; i < visibleLights; ++i) {
-        const vec3 p = lights[i].position;
-        const vec3 view(glm::dot(p, camera.right), glm::dot(p, camera.up),
-                        glm::dot(p, camera.forward));
-        addReferences(camera, uint16_t(i), view, ranges_[i]);
+void LightClusters::addLight(const CameraMatrices& camera, const ClusterInputs& inputs,
+                             const VisibleLight& light) {
+    const PunctualLight& from = inputs.punctual[light.index];
+    const uint16_t slot = uint16_t(lights.size());
+    lights.push_back(toGpu(from, camera.position));
+    const vec3 p = lights.back().position;
+    if (light.lightClass == LightClass::modulated) {
+        GpuLightModulation modulation;
+        modulation.shadowRecord = float(inputs.shadowRecords[light.index]);
+        modulation.radius = from.radius;
+        lights.push_back(std::bit_cast<GpuLight>(modulation));
     }
-    // Counting sort by froxel; within one, lights stay in order.
+    const vec3 view(glm::dot(p, camera.right), glm::dot(p, camera.up), glm::dot(p, camera.forward));
+    addReferences(camera, light.lightClass, slot, view, light.range);
+}
+
+// A counting sort by froxel and class; within one, lights stay in order.
+void LightClusters::writeLists() {
+    const uint32_t froxels = tilesX * tilesY * kSlices;
+    lists_.assign(size_t(froxels) * kLightClasses, 0);
     for (const Reference& r : references_)
-        if (clusters[r.cluster] < kMaxPerCluster) ++clusters[r.cluster];
+        if (lists_[r.list] < kMaxPerCluster) ++lists_[r.list];
         else ++droppedReferences;
     const uint32_t fair = fairListLength();
     uint32_t first = 0;
-    for (uint32_t& cluster : clusters) {
-        const uint32_t count = std::min(cluster, fair);
-        droppedReferences += cluster - count;
-        cluster = first << kCountBits;
-        first += count;
+    for (uint32_t f = 0; f < froxels; ++f) {
+        uint32_t* record = &clusters[size_t(f) * recordWords];
+        record[0] = first << kCountBits;
+        for (uint32_t c = 0; c < kLightClasses; ++c) {
+            uint32_t& list = lists_[f * kLightClasses + c];
+            const uint32_t count = std::min(list, fair);
+            droppedReferences += list - count;
+            if (c < recordWords) record[c] |= count;
+            list = first;
+            first += count;
+        }
     }
     indices.resize(first);
     for (const Reference& r : references_) {
-        uint32_t& cluster = clusters[r.cluster];
-        const uint32_t count = cluster & kMaxPerCluster;
-        if (count == fair) continue;
-        indices[(cluster >> kCountBits) + count] = r.light;
-        ++cluster;
+        const uint32_t next = lists_[r.list];
+        const uint32_t f = r.list / kLightClasses, c = r.list % kLightClasses;
+        const uint32_t* record = &clusters[size_t(f) * recordWords];
+        uint32_t end = record[0] >> kCountBits;
+        for (uint32_t i = 0; i <= c; ++i) end += record[i] & kMaxPerCluster;
+        if (next == end) continue;
+        indices[next] = r.slot;
+        ++lists_[r.list];
     }
 }
 
@@ -113,7 +149,7 @@ void LightClusters::build(const CameraMatrices& camera, uint32_t width, uint32_t
 uint32_t LightClusters::fairListLength() const {
     const auto total = [&](uint32_t longest) {
         uint64_t sum = 0;
-        for (uint32_t count : clusters) sum += std::min(count, longest);
+        for (uint32_t count : lists_) sum += std::min(count, longest);
         return sum;
     };
     if (references_.size() < kMaxReferences) return kMaxPerCluster;
@@ -125,8 +161,8 @@ uint32_t LightClusters::fairListLength() const {
     return fits;
 }
 
-void LightClusters::addReferences(const CameraMatrices& camera, uint16_t light, const vec3& p,
-                                  float range) {
+void LightClusters::addReferences(const CameraMatrices& camera, LightClass lightClass,
+                                  uint16_t slot, const vec3& p, float range) {
     const float tileX = 2.0f * RL_CLUSTER_PIXELS / float(width_);
     const float tileY = 2.0f * RL_CLUSTER_PIXELS / float(height_);
     const float scaleX = camera.perspective ? camera.tanHalfX : camera.halfWidth;
@@ -158,7 +194,8 @@ void LightClusters::addReferences(const CameraMatrices& camera, uint16_t light, 
                 edges(float(tx + 1) * tileX - 1, scaleX, unused, right);
                 const float dx = squaredDistanceToInterval(p.x, left, right);
                 if (dx + dy >= radius * radius) continue;
-                references_.push_back({(s * tilesY + ty) * tilesX + tx, light});
+                const uint32_t froxel = (s * tilesY + ty) * tilesX + tx;
+                references_.push_back({froxel * kLightClasses + uint32_t(lightClass), slot});
             }
         }
     }

@@ -19,6 +19,8 @@ struct PunctualLight {
     vec3 direction{0, -1, 0};   ///< unit, world space, the way a spot shines
     float innerConeAngle = 0;   ///< radians from the axis
     float outerConeAngle = -1;  ///< < 0: a point light
+    bool castsShadow = false;
+    float radius = 0;           ///< metres, of the source, for soft shadows; 0: a point
 };
 
 enum class Background : uint8_t { color, environment, transparent };

@@ -50,9 +50,10 @@ Result<void> DebugViewPass::add(FramePlan& plan, const Inputs& inputs) {
     const bool shadow = inputs.show == ShownImage::shadow;
     const bool clusters = inputs.show == ShownImage::clusters;
     const bool nothing = (shadow && !inputs.shadowMap) || (clusters && !inputs.clusters.size);
-    std::string_view defines[2];
+    std::string_view defines[3];
     size_t count = 0;
     defines[count++] = nothing ? "SHOW_NOTHING" : defineOf(inputs.show);
+    if (clusters && inputs.clusterWords > 1) defines[count++] = "MODULATED_LIGHTS";
     if (inputs.orthographic) defines[count++] = "ORTHOGRAPHIC";
     const auto pipeline = pipelines_.find({defines, count});
     if (!pipeline) return tl::unexpected(pipeline.error());

@@ -17,6 +17,7 @@ public:
         ImageId shadowMap;  ///< null: no shadows, shown as black
         uint32_t shadowCascades = 0;
         BufferRange clusters;             ///< LightingBindings::clusters; empty: no lights
+        uint32_t clusterWords = 1;        ///< LightClusters::recordWords
         vec4 clusterMapping{0}, clusterCounts{0};  ///< as LightingUniforms
         vec2 depthDecode{0, 1};           ///< CameraMatrices::depthDecode
         bool orthographic = false;

@@ -45,7 +45,9 @@ void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) con
         defines.push_back("SUN_SHADOW");
         defines.push_back(kCascadeDefines[shadowCascades]);
     }
-    if (clusteredLights) defines.push_back("CLUSTERED_LIGHTS");
+    if (clusteredLights()) defines.push_back("CLUSTERED_LIGHTS");
+    if (plainLights) defines.push_back("PLAIN_LIGHTS");
+    if (modulatedLights) defines.push_back("MODULATED_LIGHTS");
     if (environment) defines.push_back("ENVIRONMENT");
     else if (hemisphere) defines.push_back("HEMISPHERE");
     if (orthographic) defines.push_back("ORTHOGRAPHIC");
@@ -56,7 +58,7 @@ void LightingBindings::record(PassContext& context) const {
     commands.push(BindUniforms{RL_UNIFORMS_LIGHTING, 0, uniforms});
     if (features.shadowCascades > 0)
         commands.push(BindTexture{RL_TEXTURE_SHADOW, context.texture(shadowMap), shadowSampler});
-    if (features.clusteredLights) {
+    if (features.clusteredLights()) {
         commands.push(BindTexelBuffer{RL_TEXTURE_LIGHTS, Format::rgba32f, {}, lights});
         commands.push(BindTexelBuffer{RL_TEXTURE_CLUSTERS, Format::r32ui, {}, clusters});
         commands.push(BindTexelBuffer{RL_TEXTURE_LIGHT_INDICES, Format::r16ui, {}, lightIndices});

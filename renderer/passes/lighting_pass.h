@@ -14,11 +14,13 @@ namespace rushlight {
 struct LightingFeatures {
     uint32_t directionalLights = 0;
     uint32_t shadowCascades = 0;  ///< 0: the sun casts none
-    bool clusteredLights = false;
+    bool plainLights = false;      ///< LightClass::plain, in the froxels' lists
+    bool modulatedLights = false;  ///< LightClass::modulated
     bool environment = false;
     bool hemisphere = false;
     bool orthographic = false;
 
+    bool clusteredLights() const { return plainLights || modulatedLights; }
     bool operator==(const LightingFeatures&) const = default;
     /// The #defines; the texts are static.
     void appendDefines(std::vector<std::string_view>& defines) const;

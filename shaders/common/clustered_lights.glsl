@@ -1,7 +1,14 @@
-// Point and spot lights, from the list of the pixel's froxel (renderer/frame/light_clusters.h).
+// Lights from the lists of the pixel's froxel (renderer/frame/light_clusters.h). Lists are sorted by class, and each class
+// has a loop of its own, so that a light costs what it needs: on llvmpipe a branch within a loop saves nothing.
 layout(binding = RL_TEXTURE_LIGHTS) uniform samplerBuffer lightTexels;
 layout(binding = RL_TEXTURE_CLUSTERS) uniform usamplerBuffer clusterTexels;
 layout(binding = RL_TEXTURE_LIGHT_INDICES) uniform usamplerBuffer lightIndexTexels;
+
+#if defined(MODULATED_LIGHTS)
+#define CLUSTER_WORDS 2
+#else
+#define CLUSTER_WORDS 1
+#endif
 
 int clusterAt(vec2 pixel, float viewDepth) {
     float slice = floor(log2(max(viewDepth, 1e-6)) * L_CLUSTER_MAPPING.x + L_CLUSTER_MAPPING.y);
@@ -10,22 +17,68 @@ int clusterAt(vec2 pixel, float viewDepth) {
     return int(slice * L_CLUSTER_MAPPING.w + tile.y * L_CLUSTER_MAPPING.z + tile.x);
 }
 
+/// x: plain, y: modulated lights of a froxel
+ivec2 lightCounts(int cluster) {
+    ivec2 counts = ivec2(texelFetch(clusterTexels, cluster * CLUSTER_WORDS).x & 1023u, 0);
+#if CLUSTER_WORDS > 1
+    counts.y = int(texelFetch(clusterTexels, cluster * CLUSTER_WORDS + 1).x & 1023u);
+#endif
+    return counts;
+}
+
+/// One light at a surface that nothing hides: intensity times attenuation lights a surface that faces it.
+struct LightSample {
+    int texel;  // of its first slot
+    vec3 direction;
+    float distanceSquared;
+    vec3 intensity;
+    float attenuation;
+};
+
+LightSample sampleLight(int listed, LitSurface s) {
+    LightSample r;
+    r.texel = int(texelFetch(lightIndexTexels, listed).x) * 3;
+    vec4 a = texelFetch(lightTexels, r.texel);
+    vec4 b = texelFetch(lightTexels, r.texel + 1);
+    vec4 c = texelFetch(lightTexels, r.texel + 2);
+    vec3 to = a.xyz - s.position;
+    r.distanceSquared = dot(to, to);
+    r.direction = to * inversesqrt(max(r.distanceSquared, 1e-8));
+    r.intensity = b.rgb;
+    r.attenuation = distanceAttenuation(r.distanceSquared, a.w) *
+                    spotAttenuation(-dot(r.direction, c.xyz), vec2(b.w, c.w));
+    return r;
+}
+
 vec3 clusteredLight(LitSurface s, vec2 pixel) {
-    uint cluster = texelFetch(clusterTexels, clusterAt(pixel, s.viewDepth)).x;
-    int first = int(cluster >> 10);
-    int count = int(cluster & 1023u);
+    int cluster = clusterAt(pixel, s.viewDepth);
+    uint record = texelFetch(clusterTexels, cluster * CLUSTER_WORDS).x;
+    int first = int(record >> 10);
+    int count = int(record & 1023u);
     vec3 sum = vec3(0.0);
+#if defined(PLAIN_LIGHTS)
     for (int i = 0; i < count; ++i) {
-        int light = int(texelFetch(lightIndexTexels, first + i).x) * 3;
-        vec4 a = texelFetch(lightTexels, light);
-        vec4 b = texelFetch(lightTexels, light + 1);
-        vec4 c = texelFetch(lightTexels, light + 2);
-        vec3 to = a.xyz - s.position;
-        float distanceSquared = dot(to, to);
-        vec3 l = to * inversesqrt(max(distanceSquared, 1e-8));
-        float attenuation = distanceAttenuation(distanceSquared, a.w) *
-                            spotAttenuation(-dot(l, c.xyz), vec2(b.w, c.w));
-        sum += evaluateBrdf(s.point, l) * b.rgb * attenuation;
+        LightSample light = sampleLight(first + i, s);
+        sum += evaluateBrdf(s.point, light.direction) * light.intensity * light.attenuation;
     }
+#endif
+#if CLUSTER_WORDS > 1
+    uint others = texelFetch(clusterTexels, cluster * CLUSTER_WORDS + 1).x;
+#endif
+#if defined(MODULATED_LIGHTS)
+    first += count;
+    count = int(others & 1023u);
+    for (int i = 0; i < count; ++i) {
+        LightSample light = sampleLight(first + i, s);
+        // x: shadow record, y: the source's radius
+        vec4 modulation = texelFetch(lightTexels, light.texel + 3);
+#if defined(PUNCTUAL_SHADOW)
+        if (modulation.x >= 0.0)
+            light.attenuation *= punctualVisibility(int(modulation.x), s, light.direction,
+                                                    sqrt(light.distanceSquared));
+#endif
+        sum += evaluateBrdf(s.point, light.direction) * light.intensity * light.attenuation;
+    }
+#endif
     return sum;
 }

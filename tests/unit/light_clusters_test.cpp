@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 
 namespace rushlight {
 namespace {
@@ -56,7 +57,7 @@ TEST(LightClusters, EveryLightThatReachesAPointIsInItsFroxel) {
         const CameraMatrices camera = cameraAt(eye, eye + random.direction(), perspective);
         const std::vector<PunctualLight> lights = randomLights(random, 60);
         LightClusters clusters;
-        clusters.build(camera, kWidth, kHeight, lights);
+        clusters.build(camera, kWidth, kHeight, {lights, {}});
         ASSERT_EQ(clusters.droppedReferences, 0u);
         ASSERT_EQ(clusters.lights.size(), clusters.visibleLights);
         for (int i = 0; i < 400; ++i) {
@@ -81,6 +82,45 @@ TEST(LightClusters, EveryLightThatReachesAPointIsInItsFroxel) {
     EXPECT_LT(listed * 4, possible) << "a froxel lists nearly everything: nothing is culled";
 }
 
+// Lights with a shadow record stand after the plain ones, in two slots each, and are counted in a word of their own.
+TEST(LightClusters, ClassesAreListedApart) {
+    Random random(3);
+    const CameraMatrices camera = cameraAt({0, 0, 22}, {0, 0, 0}, true);
+    const std::vector<PunctualLight> lights = randomLights(random, 80);
+    std::vector<int32_t> records(lights.size());
+    for (size_t i = 0; i < records.size(); ++i) records[i] = i % 3 == 0 ? int32_t(i) : -1;
+    LightClusters plain, mixed;
+    plain.build(camera, kWidth, kHeight, {lights, {}});
+    mixed.build(camera, kWidth, kHeight, {lights, records});
+    EXPECT_EQ(plain.recordWords, 1u);
+    ASSERT_EQ(mixed.recordWords, 2u);
+    EXPECT_EQ(plain.visibleLights, mixed.visibleLights);
+    EXPECT_EQ(plain.indices.size(), mixed.indices.size());
+    const uint32_t plainLights = mixed.visibleOfClass[size_t(LightClass::plain)];
+    EXPECT_EQ(mixed.lights.size(), plainLights + 2 * mixed.visibleOfClass[size_t(LightClass::modulated)]);
+    size_t modulated = 0;
+    for (size_t f = 0; f < plain.clusters.size(); ++f) {
+        const uint32_t* record = &mixed.clusters[2 * f];
+        const uint32_t counts[] = {record[0] & LightClusters::kMaxPerCluster,
+                                   record[1] & LightClusters::kMaxPerCluster};
+        ASSERT_EQ(counts[0] + counts[1], plain.clusters[f] & LightClusters::kMaxPerCluster);
+        const uint32_t first = record[0] >> LightClusters::kCountBits;
+        for (uint32_t i = 0; i < counts[0]; ++i) EXPECT_LT(mixed.indices[first + i], plainLights);
+        for (uint32_t i = counts[0]; i < counts[0] + counts[1]; ++i) {
+            const uint16_t slot = mixed.indices[first + i];
+            ASSERT_GE(slot, plainLights);
+            ASSERT_EQ((slot - plainLights) % 2, 0u);
+            const auto modulation = std::bit_cast<GpuLightModulation>(mixed.lights[slot + 1u]);
+            const auto index = size_t(modulation.shadowRecord);
+            ASSERT_LT(index, lights.size());
+            EXPECT_EQ(index % 3, 0u);
+            EXPECT_EQ(mixed.lights[slot].position, lights[index].position - camera.position);
+            ++modulated;
+        }
+    }
+    EXPECT_GT(modulated, 100u);
+}
+
 TEST(LightClusters, LightsOutOfSightAreLeftOut) {
     const CameraMatrices camera = cameraAt({0, 0, 0}, {0, 0, -1}, true);
     PunctualLight behind, beside, before;
@@ -89,10 +129,10 @@ TEST(LightClusters, LightsOutOfSightAreLeftOut) {
     before.position = {0, 0, -5};
     behind.range = beside.range = before.range = 2;
     LightClusters clusters;
-    clusters.build(camera, kWidth, kHeight, std::array{behind, beside, before});
+    clusters.build(camera, kWidth, kHeight, {std::array{behind, beside, before}, {}});
     EXPECT_EQ(clusters.visibleLights, 1u);
     EXPECT_EQ(clusters.lights[0].position, before.position);
-    clusters.build(camera, kWidth, kHeight, std::array{behind, beside});
+    clusters.build(camera, kWidth, kHeight, {std::array{behind, beside}, {}});
     EXPECT_EQ(clusters.visibleLights, 0u);
     EXPECT_EQ(clusters.clusters.size(), 11u * 8 * 16);
     EXPECT_TRUE(std::ranges::all_of(clusters.clusters, [](uint32_t c) { return c == 0; }));
@@ -115,7 +155,7 @@ TEST(LightClusters, SpotFalloffRunsFromConeToCone) {
     spot.innerConeAngle = 0.3f;
     spot.outerConeAngle = 0.8f;
     LightClusters clusters;
-    clusters.build(camera, kWidth, kHeight, std::array{spot, point});
+    clusters.build(camera, kWidth, kHeight, {std::array{spot, point}, {}});
     ASSERT_EQ(clusters.visibleLights, 2u);
     const auto falloff = [&](const GpuLight& light, float angle) {
         const float f = std::clamp(std::cos(angle) * light.spotScale + light.spotOffset, 0.0f, 1.0f);
@@ -138,7 +178,7 @@ TEST(LightClusters, AFullFroxelDropsAndCounts) {
         light.range = 0.05f;
     }
     LightClusters clusters;
-    clusters.build(camera, kWidth, kHeight, lights);
+    clusters.build(camera, kWidth, kHeight, {lights, {}});
     EXPECT_EQ(clusters.visibleLights, 1100u);
     const vec2 middle(0.5f + 0.01f / 5, 0.5f + 0.01f / 5);
     const std::vector<uint16_t> list = listAt(clusters, middle, 5);
@@ -160,7 +200,7 @@ TEST(LightClusters, ListsThatDoNotFitAreDroppedAndCounted) {
         light.intensity = vec3(1e6f);
     }
     LightClusters clusters;
-    clusters.build(camera, 3840, 2160, lights);
+    clusters.build(camera, 3840, 2160, {lights, {}});
     EXPECT_LE(clusters.indices.size(), size_t(LightClusters::kMaxReferences));
     uint64_t kept = 0;
     for (uint32_t cluster : clusters.clusters) {
