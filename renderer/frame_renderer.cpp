@@ -39,6 +39,7 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       gbufferPass_(device),
       shadowPass_(device),
       lightingPass_(device),
+      fogPass_(device),
       forwardPass_(device),
       bloomPass_(device),
       exposurePass_(device),
@@ -204,8 +205,11 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
     auto lit = lightingPass_.add(plan_, {*gbuffer, *lighting, sky, width, height});
     if (!lit) return tl::unexpected(lit.error());
 
+    auto fog = planFog(input, *lighting, lit->radiance, gbuffer->depth);
+    if (!fog) return tl::unexpected(fog.error());
+
     ForwardPass::Inputs forwardInputs{&lists_.blended, &lists_.movingEmission, binder, viewUniforms,
-                                      *lighting, lit->radiance, gbuffer->depth};
+                                      *lighting, lit->radiance, gbuffer->depth, *fog};
     auto forward = forwardPass_.add(plan_, forwardInputs);
     if (!forward) return tl::unexpected(forward.error());
 

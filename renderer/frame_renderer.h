@@ -13,6 +13,7 @@
 #include "renderer/passes/bounds_pass.h"
 #include "renderer/passes/debug_view_pass.h"
 #include "renderer/passes/exposure_pass.h"
+#include "renderer/passes/fog_pass.h"
 #include "renderer/passes/forward_pass.h"
 #include "renderer/passes/fxaa_pass.h"
 #include "renderer/passes/gbuffer_pass.h"
@@ -65,6 +66,9 @@ private:
     Result<void> planPasses(const FrameInput&, const FrameOutput&, const CameraMatrices&);
     Result<LightingBindings> bindLighting(const FrameInput&, const CameraMatrices&,
                                           const FrameOutput&);
+    /// Fog over the lit scene; a null image without.
+    Result<ImageId> planFog(const FrameInput&, const LightingBindings&, ImageId radiance,
+                            ImageId depth);
     /// From linear radiance to the final target.
     Result<void> planDisplay(const FrameInput&, const FinalTarget&, ImageId radiance);
     Result<void> planDebugView(const FrameInput&, const FinalTarget&, const CameraMatrices&,
@@ -84,6 +88,7 @@ private:
     GBufferPass gbufferPass_;
     ShadowPass shadowPass_;
     LightingPass lightingPass_;
+    FogPass fogPass_;
     ForwardPass forwardPass_;
     BloomPass bloomPass_;
     ExposurePass exposurePass_;
@@ -106,6 +111,7 @@ private:
     Visibility::Lists lists_;
     Visibility::Counts counts_;
     ShadowCascades cascades_;
+    FogGrid fogGrid_;
     LightClusters clusters_;
     int sun_ = -1;
     bool warnedRejected_ = false;

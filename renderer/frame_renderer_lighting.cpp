@@ -37,8 +37,11 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
     b.features.hemisphere =
         lighting.ambientSky != vec3(0) || lighting.ambientGround != vec3(0);
     b.features.orthographic = !camera.perspective;
-    b.uniforms = uniforms(
-        makeLightingUniforms(camera, lighting, sun_, clusters_, cascades_, environment));
+    interop::LightingUniforms u =
+        makeLightingUniforms(camera, lighting, sun_, clusters_, cascades_, environment);
+    fogGrid_ = makeFogGrid(lighting.fog, camera, output.target.width, output.target.height);
+    if (lighting.fog.density > 0) fillFog(lighting.fog, fogGrid_, camera, u);
+    b.uniforms = uniforms(u);
     if (b.features.clusteredLights()) {
         b.lights = commands_.append(std::span<const GpuLight>(clusters_.lights));
         b.clusters = commands_.append(std::span<const uint32_t>(clusters_.clusters));
@@ -56,6 +59,17 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
         b.brdfTable = *table;
     }
     return b;
+}
+
+Result<ImageId> FrameRenderer::planFog(const FrameInput& input, const LightingBindings& lighting,
+                                       ImageId radiance, ImageId depth) {
+    if (!(input.lighting.fog.density > 0)) return ImageId{};
+    const auto fog = fogPass_.add(plan_, {lighting, fogGrid_});
+    if (!fog) return tl::unexpected(fog.error());
+    const auto applied = fogPass_.apply(
+        plan_, {fog->fog, radiance, depth, lighting.uniforms, lighting.features.orthographic});
+    if (!applied) return tl::unexpected(applied.error());
+    return fog->fog;
 }
 
 }  // namespace rushlight

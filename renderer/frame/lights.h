@@ -32,6 +32,17 @@ struct SunDisk {
     vec3 radiance{0};          ///< black: there is none
 };
 
+/// Air that scatters: exponential height fog, lit by the sun with its shadows, the clustered lights and the ambient light.
+/// It covers what lies behind it, the background included.
+struct Fog {
+    float density = 0;       ///< extinction per metre at `height`; 0: there is none
+    float heightFalloff = 0;  ///< per metre: extinction is density * exp(-heightFalloff * (y - height)); 0: the same everywhere
+    float height = 0;         ///< metres, world y
+    vec3 albedo{0.95f};       ///< scattered share of what is taken away, [0, 1]
+    float anisotropy = 0.3f;  ///< Henyey and Greenstein's g, -0.95 to 0.95: > 0 scatters forwards
+    float litDistance = 80;   ///< metres from the eye within which light and shadow are gathered; beyond, the farthest go on
+};
+
 struct Lighting {
     std::span<const DirectionalLight> directional;  ///< at most kMaxDirectionalLights; the first that casts has shadows
     std::span<const PunctualLight> punctual;        ///< at most kMaxPunctualLights
@@ -43,6 +54,7 @@ struct Lighting {
     Background background = Background::color;
     vec3 backgroundColor{0};  ///< linear radiance; not tone mapped to anything else than the surfaces are
     SunDisk sunDisk;
+    Fog fog;
 };
 
 inline constexpr uint32_t kMaxDirectionalLights = 4;

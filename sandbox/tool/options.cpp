@@ -3,8 +3,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <map>
+#include <span>
 
 namespace rushlight::tool {
 namespace {
@@ -21,18 +21,29 @@ bool parseNumber(std::string_view text, T& value) {
     throw CLI::ValidationError("\"" + text + "\" is not " + wanted);
 }
 
-/// "ELEVATION[,AZIMUTH[,TURBIDITY]]"
+/// Numbers with commas between them, as many as there are; false where one is none or there are too many.
+bool parseNumbers(std::string_view text, std::span<float* const> numbers) {
+    for (float* number : numbers) {
+        const size_t comma = text.find(',');
+        if (!parseNumber(text.substr(0, comma), *number)) return false;
+        if (comma == text.npos) return true;
+        text.remove_prefix(comma + 1);
+    }
+    return false;
+}
+
 SkyOption parseSky(const std::string& text) {
     SkyOption sky;
     float* const parts[] = {&sky.elevation, &sky.azimuth, &sky.turbidity};
-    std::string_view rest = text;
-    for (size_t i = 0; i < std::size(parts); ++i) {
-        const size_t comma = rest.find(',');
-        if (!parseNumber(rest.substr(0, comma), *parts[i])) break;
-        if (comma == rest.npos) return sky;
-        rest.remove_prefix(comma + 1);
-    }
+    if (parseNumbers(text, parts)) return sky;
     refuse(text, "a sky as 30, 30,135 or 30,135,2: elevation, azimuth and turbidity");
+}
+
+Fog parseFog(const std::string& text) {
+    Fog fog;
+    float* const parts[] = {&fog.density, &fog.heightFalloff, &fog.height, &fog.anisotropy};
+    if (parseNumbers(text, parts)) return fog;
+    refuse(text, "fog as 0.02 or 0.02,0.1,0,0.3: density, falloff, height and anisotropy");
 }
 
 vec3 parseVector(const std::string& text) {
@@ -111,6 +122,10 @@ void addLightOptions(CLI::App& app, RenderOptions& o) {
            "ELEVATION[,AZIMUTH[,TURBIDITY]]: a clear sky with its sun, in degrees, as light, background and exposure; "
            "it takes the place of the file's directional lights")
         ->excludes(app.get_option("--environment"));
+    app.add_option_function<std::string>(
+        "--fog", [&o](const std::string& text) { o.fog = parseFog(text); },
+        "DENSITY[,FALLOFF[,HEIGHT[,ANISOTROPY]]]: fog of so much extinction per metre at a height, falling off "
+        "upwards per metre; anisotropy -0.95 to 0.95");
     addVector(app, "--ambient", o.ambient, "r,g,b: light from all around, without an environment");
     app.add_option_function<std::string>(
         "--background",

@@ -45,6 +45,7 @@ struct RenderOptions {
 
     std::string environment;
     std::optional<SkyOption> sky;
+    Fog fog;
     float environmentRotation = 0;  ///< degrees
     float environmentIntensity = 1;
     std::optional<vec3> ambient;

@@ -201,6 +201,7 @@ FrameInput RenderSetup::frame() const {
         options_.background.value_or(environment_ ? Background::environment : Background::color);
     lighting.backgroundColor = options_.backgroundColor;
     lighting.ambientSky = lighting.ambientGround = options_.ambient.value_or(vec3(0));
+    lighting.fog = options_.fog;
     if (sky_) {
         lighting.directional = {&sky_->sun, 1};
         lighting.sunDisk = {-sky_->sun.direction, kSunAngularRadius, sky_->sunRadiance};

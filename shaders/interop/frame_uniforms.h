@@ -10,6 +10,10 @@ RL_INTEROP_BEGIN
 #define RL_MAX_DIRECTIONAL_LIGHTS 4
 // A froxel is a square of pixels of this side, times a slice of depth.
 #define RL_CLUSTER_PIXELS 64
+// Side of the fog's froxels in pixels, their slices, and how many of these lie side by side in a row of their image
+#define RL_FOG_PIXELS 16
+#define RL_FOG_SLICES 64
+#define RL_FOG_COLUMNS 8
 // The most that a half float holds: brighter light is cut off there, not made infinite.
 #define RL_MAX_RADIANCE 65504.0
 
@@ -41,6 +45,10 @@ struct LightingUniforms {
     vec4 ambientSky;      // rgb
     vec4 ambientGround;   // rgb
     vec4 background;      // rgb, a: 0 where the picture is to be transparent
+    vec4 fogMedium;       // x: extinction per metre at the eye's height, y: falloff per metre, z: anisotropy
+    vec4 fogAlbedo;       // rgb
+    vec4 fogMapping;      // slice = log2(viewDepth) * x + y, from 1 at z; w: the farthest view depth
+    vec4 fogGrid;         // xy: tiles, zw: 1 / pixels of the target
     vec4 sunDisk;         // xyz: towards it, w: cosine of its radius
     vec4 sunDiskRadiance; // rgb
 };
@@ -49,7 +57,7 @@ RL_INTEROP_END
 
 #ifndef GLSL
 static_assert(sizeof(rushlight::interop::ViewUniforms) == 160);
-static_assert(sizeof(rushlight::interop::LightingUniforms) == 16 * (10 + 3 + 4 + 1 + 8 + 4 + 2));
+static_assert(sizeof(rushlight::interop::LightingUniforms) == 16 * (10 + 3 + 4 + 1 + 8 + 4 + 6));
 #endif
 
 #endif
