@@ -31,6 +31,7 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
     : geometry(device),
       textures(device, jobs),
       materials(device, textures),
+      decals(device),
       environments(device, jobs, log, std::move(cacheDirectory)),
       device_(device),
       jobs_(jobs),
@@ -51,6 +52,7 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       shadowSampler_(clampingSampler(device, false, true)),
       cubeSampler_(clampingSampler(device, true, false)),
       linearSampler_(clampingSampler(device, false, false)),
+      decalSampler_(clampingSampler(device, true, false)),
       submitted_(device.maxPendingFrames()) {}
 
 Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& output,
@@ -175,7 +177,9 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
                                        const CameraMatrices& camera) {
     const DrawBinder binder{&geometry, &materials};
     const uint32_t width = output.target.width, height = output.target.height;
-    const BufferRange viewUniforms = uniforms(makeViewUniforms(camera));
+    interop::ViewUniforms view = makeViewUniforms(camera);
+    const DecalBindings decalBindings = bindDecals(input, output, camera, view);
+    const BufferRange viewUniforms = uniforms(view);
 
     auto lighting = bindLighting(input, camera, output);
     if (!lighting) return tl::unexpected(lighting.error());
@@ -197,7 +201,8 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
         lighting->shadowMap = shadows_.map;
     }
 
-    auto gbuffer = gbufferPass_.add(plan_, {&lists_.opaque, binder, viewUniforms, width, height});
+    auto gbuffer = gbufferPass_.add(
+        plan_, {&lists_.opaque, binder, viewUniforms, width, height, decalBindings});
     if (!gbuffer) return tl::unexpected(gbuffer.error());
 
     const bool sky = lighting->features.environment &&
@@ -209,7 +214,8 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
     if (!fog) return tl::unexpected(fog.error());
 
     ForwardPass::Inputs forwardInputs{&lists_.blended, &lists_.movingEmission, binder, viewUniforms,
-                                      *lighting, lit->radiance, gbuffer->depth, *fog};
+                                      *lighting, lit->radiance, gbuffer->depth, decalBindings,
+                                      *fog};
     auto forward = forwardPass_.add(plan_, forwardInputs);
     if (!forward) return tl::unexpected(forward.error());
 

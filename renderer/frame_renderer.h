@@ -3,6 +3,7 @@
 
 #include "renderer/backend/device.h"
 #include "renderer/commands/validate_commands.h"
+#include "renderer/frame/decal_clusters.h"
 #include "renderer/frame/environment_store.h"
 #include "renderer/frame/final_target.h"
 #include "renderer/frame/frame_plan.h"
@@ -43,6 +44,7 @@ public:
     GeometryStore geometry;
     TextureStore textures;
     MaterialStore materials;
+    DecalStore decals;
     EnvironmentStore environments;
     HostWorlds worlds;
 
@@ -66,6 +68,8 @@ private:
     Result<void> planPasses(const FrameInput&, const FrameOutput&, const CameraMatrices&);
     Result<LightingBindings> bindLighting(const FrameInput&, const CameraMatrices&,
                                           const FrameOutput&);
+    DecalBindings bindDecals(const FrameInput&, const FrameOutput&, const CameraMatrices&,
+                             interop::ViewUniforms&);
     /// Fog over the lit scene; a null image without.
     Result<ImageId> planFog(const FrameInput&, const LightingBindings&, ImageId radiance,
                             ImageId depth);
@@ -97,7 +101,7 @@ private:
     DebugViewPass debugViewPass_;
     BoundsPass boundsPass_;
     OverlayPass overlayPass_;
-    SamplerHandle shadowSampler_, cubeSampler_, linearSampler_;
+    SamplerHandle shadowSampler_, cubeSampler_, linearSampler_, decalSampler_;
 
     CommandBuffer commands_;
     CommandValidator validator_;
@@ -112,6 +116,7 @@ private:
     Visibility::Counts counts_;
     ShadowCascades cascades_;
     FogGrid fogGrid_;
+    DecalClusters decalClusters_;
     LightClusters clusters_;
     int sun_ = -1;
     bool warnedRejected_ = false;

@@ -58,6 +58,9 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
         !std::isfinite(glm::length(disk.direction) + glm::length(disk.radiance)))
         return wrong("lighting", "the sun's disk is not finite, has no direction, or a radius outside "
                                  "of 0 to 1.5 radians.");
+    if (input.decals.size() > kMaxDecals)
+        return wrong("frame", "there are " + std::to_string(input.decals.size()) +
+                                  " decals; at most 1,024 are possible.");
     const Fog& fog = lighting.fog;
     bool albedo = true;
     for (int c = 0; c < 3; ++c) albedo = albedo && fog.albedo[c] >= 0 && fog.albedo[c] <= 1;

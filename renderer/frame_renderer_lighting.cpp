@@ -61,6 +61,23 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
     return b;
 }
 
+DecalBindings FrameRenderer::bindDecals(const FrameInput& input, const FrameOutput& output,
+                                        const CameraMatrices& camera, interop::ViewUniforms& view) {
+    DecalBindings b;
+    if (input.decals.empty()) return b;
+    decalClusters_.build(camera, output.target.width, output.target.height, input.decals, decals);
+    if (decalClusters_.decals.empty()) return b;
+    view.decalMapping = decalClusters_.mapping();
+    const float half = camera.perspective ? camera.tanHalfY : camera.halfHeight;
+    view.decalScale.x = 2 * half / float(output.target.height);
+    b.records = commands_.append(std::span<const GpuDecal>(decalClusters_.decals));
+    b.lists = commands_.append(std::span<const uint32_t>(decalClusters_.lists));
+    b.color = decals.color();
+    b.detail = decals.detail();
+    b.sampler = decalSampler_;
+    return b;
+}
+
 Result<ImageId> FrameRenderer::planFog(const FrameInput& input, const LightingBindings& lighting,
                                        ImageId radiance, ImageId depth) {
     if (!(input.lighting.fog.density > 0)) return ImageId{};

@@ -83,10 +83,12 @@ public:
     Result<MaterialHandle> createMaterial(const MaterialDesc&);
     Result<void> updateMaterial(MaterialHandle, const MaterialDesc&);
     Result<EnvironmentHandle> createEnvironment(const EnvironmentDesc&);
+    Result<DecalMaterialHandle> createDecalMaterial(const DecalMaterialDesc&);
     void destroy(MeshHandle);
     void destroy(ImageHandle);
     void destroy(MaterialHandle);
     void destroy(EnvironmentHandle);
+    void destroy(DecalMaterialHandle);
 
     // Worlds: instances that the renderer keeps, so that a frame costs what is seen and what changed, not what exists.
     // An instance that was updated moves from where the last frame had it; Instance::previousTransform and

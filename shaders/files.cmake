@@ -2,6 +2,7 @@
 set(RUSHLIGHT_SHADER_FILES
   common/ambient.glsl
   common/clustered_lights.glsl
+  common/decals.glsl
   common/fog.glsl
   common/fullscreen.glsl
   common/fullscreen.vert

@@ -26,6 +26,7 @@ Result<ForwardPass::Outputs> ForwardPass::add(FramePlan& plan, const Inputs& inp
     defines_.clear();
     defines_.push_back("FORWARD");
     inputs.lighting.features.appendDefines(defines_);
+    if (inputs.decals) defines_.push_back("DECALS");
     if (inputs.fog) defines_.push_back("FOG");
     if (auto ok = blend_.assign(*inputs.blended, defines_); !ok)
         return tl::unexpected(ok.error());
@@ -46,6 +47,7 @@ Result<ForwardPass::Outputs> ForwardPass::add(FramePlan& plan, const Inputs& inp
         context.commands.push(BindTexelBuffer{RL_TEXTURE_MATERIALS, Format::rgba32ui, {},
                                               in.binder.materials->buffer()});
         in.lighting.record(context);
+        in.decals.record(context.commands);
         if (in.fog)
             context.commands.push(
                 BindTexture{RL_TEXTURE_FOG, context.texture(in.fog), in.lighting.linearSampler});

@@ -51,5 +51,10 @@
 #define RL_TEXTURE_LIGHT_INDICES 19
 #define RL_TEXTURE_IRRADIANCE 20
 #define RL_TEXTURE_FOG 29
+// Surfaces alone read these, and no surface reads the G-buffer: they share its units.
+#define RL_TEXTURE_DECAL_COLOR 8
+#define RL_TEXTURE_DECAL_DETAIL 9
+#define RL_TEXTURE_DECALS 10
+#define RL_TEXTURE_DECAL_LISTS 11
 
 #endif

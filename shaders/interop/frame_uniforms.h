@@ -14,6 +14,7 @@ RL_INTEROP_BEGIN
 #define RL_FOG_PIXELS 16
 #define RL_FOG_SLICES 64
 #define RL_FOG_COLUMNS 8
+#define RL_DECAL_SLICES 16
 // The most that a half float holds: brighter light is cut off there, not made infinite.
 #define RL_MAX_RADIANCE 65504.0
 
@@ -23,6 +24,8 @@ struct ViewUniforms {
     mat4 previousClipFromWorld;
     vec4 cameraPosition;  // world; w: 1 for a perspective view, 0 for an orthographic one
     vec4 cameraForward;   // world, unit
+    vec4 decalMapping;    // slice = log2(viewDepth) * x + y; z: tiles in a row, w: tiles in a slice
+    vec4 decalScale;      // x: metres of a pixel, at one metre if the view is perspective
 };
 
 // RL_UNIFORMS_LIGHTING. "Relative" positions are world axes with the camera at the origin.
@@ -56,7 +59,7 @@ struct LightingUniforms {
 RL_INTEROP_END
 
 #ifndef GLSL
-static_assert(sizeof(rushlight::interop::ViewUniforms) == 160);
+static_assert(sizeof(rushlight::interop::ViewUniforms) == 192);
 static_assert(sizeof(rushlight::interop::LightingUniforms) == 16 * (10 + 3 + 4 + 1 + 8 + 4 + 6));
 #endif
 

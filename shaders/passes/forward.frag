@@ -9,6 +9,10 @@
 
 layout(std140, binding = RL_UNIFORMS_VIEW) uniform ViewBlock { ViewUniforms view; };
 
+#if defined(DECALS)
+#include "common/decals.glsl"
+#endif
+
 layout(location = 0) out vec4 radiance;  // premultiplied
 
 /// Light of a surface behind the fog before it.
@@ -36,6 +40,10 @@ void main() {
 #elif defined(UNLIT)
     radiance = vec4(behindFog(g.baseColor.rgb) * g.baseColor.a, g.baseColor.a);
 #else
+#if defined(DECALS)
+    applyDecals(surfacePosition, gl_FragCoord.xy, g.baseColor.rgb, g.normal, g.roughness,
+                g.metallic);
+#endif
     vec3 towardsEye = view.cameraPosition.w > 0.5 ? -normalize(surfacePosition)
                                                   : -view.cameraForward.xyz;
     float viewDepth = dot(surfacePosition, view.cameraForward.xyz);
