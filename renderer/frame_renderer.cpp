@@ -31,6 +31,7 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
     : geometry(device),
       textures(device, jobs),
       materials(device, textures),
+      decals(device),
       environments(device, jobs, log, std::move(cacheDirectory)),
       irradianceVolumes(device),
       device_(device),
@@ -45,6 +46,7 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       shadowAtlasPass_(device),
       irradiancePass_(device),
       lightingPass_(device),
+      fogPass_(device),
       forwardPass_(device),
       bloomPass_(device),
       exposurePass_(device),
@@ -56,6 +58,7 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       shadowSampler_(clampingSampler(device, false, true)),
       cubeSampler_(clampingSampler(device, true, false)),
       linearSampler_(clampingSampler(device, false, false)),
+      decalSampler_(clampingSampler(device, true, false)),
       submitted_(device.maxPendingFrames()) {}
 
 Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& output,
@@ -184,14 +187,17 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
                                        const CameraMatrices& camera) {
     const DrawBinder binder{&geometry, &materials};
     const uint32_t width = output.target.width, height = output.target.height;
-    const BufferRange viewUniforms = uniforms(makeViewUniforms(camera));
+    interop::ViewUniforms view = makeViewUniforms(camera);
+    const DecalBindings decalBindings = bindDecals(input, output, camera, view);
+    const BufferRange viewUniforms = uniforms(view);
 
     auto lighting = bindLighting(input, camera, output);
     if (!lighting) return tl::unexpected(lighting.error());
 
     if (auto ok = addShadowPasses(input, *lighting); !ok) return ok;
 
-    auto gbuffer = gbufferPass_.add(plan_, {&lists_.opaque, binder, viewUniforms, width, height});
+    auto gbuffer = gbufferPass_.add(
+        plan_, {&lists_.opaque, binder, viewUniforms, width, height, decalBindings});
     if (!gbuffer) return tl::unexpected(gbuffer.error());
 
     const bool sky = lighting->features.environment &&
@@ -213,8 +219,12 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
     const auto mirrored = planReflections(input, camera, lightingInputs, lit->radiance);
     if (!mirrored) return tl::unexpected(mirrored.error());
 
+    auto fog = planFog(input, *lighting, lit->radiance, gbuffer->depth);
+    if (!fog) return tl::unexpected(fog.error());
+
     ForwardPass::Inputs forwardInputs{&lists_.blended, &lists_.movingEmission, binder, viewUniforms,
-                                      *lighting, lit->radiance, gbuffer->depth};
+                                      *lighting, lit->radiance, gbuffer->depth, decalBindings,
+                                      *fog};
     auto forward = forwardPass_.add(plan_, forwardInputs);
     if (!forward) return tl::unexpected(forward.error());
 

@@ -3,6 +3,7 @@
 
 #include "renderer/backend/device.h"
 #include "renderer/commands/validate_commands.h"
+#include "renderer/frame/decal_clusters.h"
 #include "renderer/frame/environment_store.h"
 #include "renderer/frame/final_target.h"
 #include "renderer/frame/frame_plan.h"
@@ -15,6 +16,7 @@
 #include "renderer/passes/bounds_pass.h"
 #include "renderer/passes/debug_view_pass.h"
 #include "renderer/passes/exposure_pass.h"
+#include "renderer/passes/fog_pass.h"
 #include "renderer/passes/forward_pass.h"
 #include "renderer/passes/fxaa_pass.h"
 #include "renderer/passes/gbuffer_pass.h"
@@ -49,6 +51,7 @@ public:
     GeometryStore geometry;
     TextureStore textures;
     MaterialStore materials;
+    DecalStore decals;
     EnvironmentStore environments;
     IrradianceStore irradianceVolumes;
     HostWorlds worlds;
@@ -79,6 +82,11 @@ private:
     Result<void> planPasses(const FrameInput&, const FrameOutput&, const CameraMatrices&);
     Result<LightingBindings> bindLighting(const FrameInput&, const CameraMatrices&,
                                           const FrameOutput&);
+    DecalBindings bindDecals(const FrameInput&, const FrameOutput&, const CameraMatrices&,
+                             interop::ViewUniforms&);
+    /// Fog over the lit scene; a null image without.
+    Result<ImageId> planFog(const FrameInput&, const LightingBindings&, ImageId radiance,
+                            ImageId depth);
     /// From linear radiance to the final target.
     Result<void> planDisplay(const FrameInput&, const FinalTarget&, ImageId radiance);
     Result<void> planDebugView(const FrameInput&, const FinalTarget&, const CameraMatrices&,
@@ -111,6 +119,7 @@ private:
     ShadowAtlasPass shadowAtlasPass_;
     IrradiancePass irradiancePass_;
     LightingPass lightingPass_;
+    FogPass fogPass_;
     ForwardPass forwardPass_;
     BloomPass bloomPass_;
     ExposurePass exposurePass_;
@@ -119,7 +128,7 @@ private:
     DebugViewPass debugViewPass_;
     BoundsPass boundsPass_;
     OverlayPass overlayPass_;
-    SamplerHandle shadowSampler_, cubeSampler_, linearSampler_;
+    SamplerHandle shadowSampler_, cubeSampler_, linearSampler_, decalSampler_;
 
     CommandBuffer commands_;
     CommandValidator validator_;
@@ -133,6 +142,8 @@ private:
     Visibility::Lists lists_;
     Visibility::Counts counts_;
     ShadowCascades cascades_;
+    FogGrid fogGrid_;
+    DecalClusters decalClusters_;
     LightClusters clusters_;
     int sun_ = -1;
     bool warnedRejected_ = false;

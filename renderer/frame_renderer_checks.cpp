@@ -55,6 +55,23 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
                        lighting.environmentIntensity))
         return wrong("lighting", "the ambient light, the background or the environment's rotation "
                                  "or intensity is not finite.");
+    const SunDisk& disk = lighting.sunDisk;
+    if (!(disk.radius > 0 && disk.radius < 1.5f) || !(glm::length(disk.direction) > 0) ||
+        !std::isfinite(glm::length(disk.direction) + glm::length(disk.radiance)))
+        return wrong("lighting", "the sun's disk is not finite, has no direction, or a radius outside "
+                                 "of 0 to 1.5 radians.");
+    if (input.decals.size() > kMaxDecals)
+        return wrong("frame", "there are " + std::to_string(input.decals.size()) +
+                                  " decals; at most 1,024 are possible.");
+    const Fog& fog = lighting.fog;
+    bool albedo = true;
+    for (int c = 0; c < 3; ++c) albedo = albedo && fog.albedo[c] >= 0 && fog.albedo[c] <= 1;
+    if (!(fog.density >= 0) || !std::isfinite(fog.density + fog.heightFalloff + fog.height) ||
+        !(fog.heightFalloff >= 0) || !albedo ||
+        !(std::abs(fog.anisotropy) <= 0.95f) || !(fog.litDistance > 0 && fog.litDistance < 1e6f))
+        return wrong("fog", "density and heightFalloff must be finite and not negative, height finite, "
+                            "albedo 0 to 1, anisotropy -0.95 to 0.95, litDistance above 0 and below "
+                            "1,000,000 metres.");
     const FrameSettings& s = input.settings;
     for (const auto& [name, value] : {std::pair("shadowDistance", s.shadowDistance),
                                       std::pair("bloomStrength", s.bloomStrength),

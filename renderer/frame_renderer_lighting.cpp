@@ -24,13 +24,16 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
     b.features.hemisphere =
         lighting.ambientSky != vec3(0) || lighting.ambientGround != vec3(0);
     b.features.orthographic = !camera.perspective;
-    b.uniforms = uniforms(
-        makeLightingUniforms(camera, lighting, sun_, clusters_, cascades_, environment, volume));
     if (volume) {
         b.features.irradianceVolume = true;
         b.probeDistances = volume->distances;
         b.probeRecords = volume->recordRange();
     }
+    interop::LightingUniforms u = makeLightingUniforms(camera, lighting, sun_, clusters_, cascades_,
+                                                       environment, volume);
+    fogGrid_ = makeFogGrid(lighting.fog, camera, output.target.width, output.target.height);
+    if (lighting.fog.density > 0) fillFog(lighting.fog, fogGrid_, camera, u);
+    b.uniforms = uniforms(u);
     if (b.features.clusteredLights()) {
         b.lights = commands_.append(std::span<const GpuLight>(clusters_.lights));
         b.clusters = commands_.append(std::span<const uint32_t>(clusters_.clusters));
@@ -51,6 +54,34 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
         b.brdfTable = *table;
     }
     return b;
+}
+
+DecalBindings FrameRenderer::bindDecals(const FrameInput& input, const FrameOutput& output,
+                                        const CameraMatrices& camera, interop::ViewUniforms& view) {
+    DecalBindings b;
+    if (input.decals.empty()) return b;
+    decalClusters_.build(camera, output.target.width, output.target.height, input.decals, decals);
+    if (decalClusters_.decals.empty()) return b;
+    view.decalMapping = decalClusters_.mapping();
+    const float half = camera.perspective ? camera.tanHalfY : camera.halfHeight;
+    view.decalScale.x = 2 * half / float(output.target.height);
+    b.records = commands_.append(std::span<const GpuDecal>(decalClusters_.decals));
+    b.lists = commands_.append(std::span<const uint32_t>(decalClusters_.lists));
+    b.color = decals.color();
+    b.detail = decals.detail();
+    b.sampler = decalSampler_;
+    return b;
+}
+
+Result<ImageId> FrameRenderer::planFog(const FrameInput& input, const LightingBindings& lighting,
+                                       ImageId radiance, ImageId depth) {
+    if (!(input.lighting.fog.density > 0)) return ImageId{};
+    const auto fog = fogPass_.add(plan_, {lighting, fogGrid_});
+    if (!fog) return tl::unexpected(fog.error());
+    const auto applied = fogPass_.apply(
+        plan_, {fog->fog, radiance, depth, lighting.uniforms, lighting.features.orthographic});
+    if (!applied) return tl::unexpected(applied.error());
+    return fog->fog;
 }
 
 }  // namespace rushlight

@@ -173,6 +173,11 @@ Result<EnvironmentHandle> Renderer::createEnvironment(const EnvironmentDesc& des
     if (!use) return use.error();
     return state_->frames->environments.create(desc);
 }
+Result<DecalMaterialHandle> Renderer::createDecalMaterial(const DecalMaterialDesc& desc) {
+    const Use use(*state_);
+    if (!use) return use.error();
+    return state_->frames->decals.create(desc);
+}
 void Renderer::destroy(MeshHandle mesh) {
     const Use use(*state_);
     if (!use.goodOrLogged()) return;
@@ -190,6 +195,10 @@ void Renderer::destroy(MaterialHandle material) {
 void Renderer::destroy(EnvironmentHandle e) {
     const Use use(*state_);
     if (use.goodOrLogged()) state_->frames->environments.destroy(e);
+}
+void Renderer::destroy(DecalMaterialHandle material) {
+    const Use use(*state_);
+    if (use.goodOrLogged()) state_->frames->decals.destroy(material);
 }
 
 Result<IrradianceVolumeHandle> Renderer::createIrradianceVolume(const IrradianceVolume& volume) {

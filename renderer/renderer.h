@@ -84,6 +84,7 @@ public:
     Result<MaterialHandle> createMaterial(const MaterialDesc&);
     Result<void> updateMaterial(MaterialHandle, const MaterialDesc&);
     Result<EnvironmentHandle> createEnvironment(const EnvironmentDesc&);
+    Result<DecalMaterialHandle> createDecalMaterial(const DecalMaterialDesc&);
     void destroy(MeshHandle);
     void destroy(ImageHandle);
     void destroy(MaterialHandle);
@@ -93,6 +94,7 @@ public:
     /// Other light for the same grid and distances, as of a ProbeUpdater.
     Result<void> updateIrradianceVolume(IrradianceVolumeHandle, const IrradianceVolume&);
     void destroy(IrradianceVolumeHandle);
+    void destroy(DecalMaterialHandle);
 
     // Worlds: instances that the renderer keeps, so that a frame costs what is seen and what changed, not what exists.
     // An instance that was updated moves from where the last frame had it; Instance::previousTransform and

@@ -4,6 +4,8 @@ set(RUSHLIGHT_SHADER_FILES
   common/ambient_occlusion.glsl
   common/ambient_specular.glsl
   common/clustered_lights.glsl
+  common/decals.glsl
+  common/fog.glsl
   common/fullscreen.glsl
   common/fullscreen.vert
   common/gbuffer.glsl
@@ -41,6 +43,11 @@ set(RUSHLIGHT_SHADER_FILES
   passes/depth.frag
   passes/depth.vert
   passes/exposure.frag
+  passes/fog.vert
+  passes/fog_apply.frag
+  passes/fog_blocks.frag
+  passes/fog_join.frag
+  passes/fog_scatter.frag
   passes/forward.frag
   passes/fxaa.frag
   passes/gbuffer.frag

@@ -3,6 +3,7 @@
 // Units: metres, seconds, radians; right-handed, y up. Colours are linear Rec.709 unless said otherwise.
 
 #include "engine/core/bounds.h"
+#include "renderer/frame/decals.h"
 #include "renderer/frame/frame_settings.h"
 #include "renderer/frame/lights.h"
 
@@ -60,6 +61,7 @@ struct FrameInput {
     WorldHandle world;                    ///< instances that the renderer keeps; zero: none
     std::span<const Instance> instances;  ///< others, for this frame; equal to the last frame's they cost a comparison
     std::span<const mat4x3> previousTransforms;
+    std::span<const Decal> decals;  ///< at most kMaxDecals; those of no good box or material are left out
     Lighting lighting;
     FrameSettings settings;
     Overlay overlay;

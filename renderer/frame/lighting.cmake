@@ -1,5 +1,6 @@
 # Light that is prepared on the CPU: environment prefiltering, the BRDF table, vertex packing.
 add_library(rushlight_lighting STATIC
+  atmosphere.cpp
   brdf_table.cpp
   cube_image.cpp
   environment.cpp
@@ -7,6 +8,7 @@ add_library(rushlight_lighting STATIC
   equirect.cpp
   irradiance_file.cpp
   irradiance_volume.cpp
+  sky.cpp
   vertex_packing.cpp)
 target_include_directories(rushlight_lighting PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/shaders>)
 target_link_libraries(rushlight_lighting PUBLIC rushlight_core rushlight_commands PRIVATE rushlight_options)

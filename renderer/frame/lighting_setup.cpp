@@ -138,6 +138,9 @@ interop::LightingUniforms makeLightingUniforms(const CameraMatrices& camera,
     u.background = lighting.background == Background::transparent
                        ? vec4(0)
                        : vec4(lighting.backgroundColor, 1);
+    const SunDisk& disk = lighting.sunDisk;
+    u.sunDisk = vec4(glm::normalize(disk.direction), std::cos(disk.radius));
+    u.sunDiskRadiance = vec4(disk.radiance, 0);
     return u;
 }
 

@@ -27,6 +27,24 @@ struct PunctualLight {
 
 enum class Background : uint8_t { color, environment, transparent };
 
+/// The sun, seen: drawn over an environment that is shown as the background. It lights nothing.
+struct SunDisk {
+    vec3 direction{0, 1, 0};  ///< unit, world space, towards it
+    float radius = 0.004675f;  ///< radians
+    vec3 radiance{0};          ///< black: there is none
+};
+
+/// Air that scatters: exponential height fog, lit by the sun with its shadows, the clustered lights and the ambient light.
+/// It covers what lies behind it, the background included.
+struct Fog {
+    float density = 0;       ///< extinction per metre at `height`; 0: there is none
+    float heightFalloff = 0;  ///< per metre: extinction is density * exp(-heightFalloff * (y - height)); 0: the same everywhere
+    float height = 0;         ///< metres, world y
+    vec3 albedo{0.95f};       ///< scattered share of what is taken away, [0, 1]
+    float anisotropy = 0.3f;  ///< Henyey and Greenstein's g, -0.95 to 0.95: > 0 scatters forwards
+    float litDistance = 80;   ///< metres from the eye within which light and shadow are gathered; beyond, the farthest go on
+};
+
 struct Lighting {
     std::span<const DirectionalLight> directional;  ///< at most kMaxDirectionalLights; the first that casts has shadows
     std::span<const PunctualLight> punctual;        ///< at most kMaxPunctualLights
@@ -40,6 +58,8 @@ struct Lighting {
     IrradianceVolumeHandle irradianceVolume;
     Background background = Background::color;
     vec3 backgroundColor{0};  ///< linear radiance; not tone mapped to anything else than the surfaces are
+    SunDisk sunDisk;
+    Fog fog;
 };
 
 inline constexpr uint32_t kMaxDirectionalLights = 4;

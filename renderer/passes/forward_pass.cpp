@@ -26,13 +26,18 @@ Result<ForwardPass::Outputs> ForwardPass::add(FramePlan& plan, const Inputs& inp
     defines_.clear();
     defines_.push_back("FORWARD");
     inputs.lighting.features.appendDefines(defines_);
+    if (inputs.decals) defines_.push_back("DECALS");
+    if (inputs.fog) defines_.push_back("FOG");
     if (auto ok = blend_.assign(*inputs.blended, defines_); !ok)
         return tl::unexpected(ok.error());
-    constexpr std::string_view kEmission[] = {"FORWARD", "EMISSION_ONLY", "DIRECTIONAL_LIGHTS 0"};
-    if (auto ok = emission_.assign(*inputs.movingEmissive, kEmission); !ok)
+    constexpr std::string_view kEmission[] = {"FORWARD", "EMISSION_ONLY", "DIRECTIONAL_LIGHTS 0",
+                                              "FOG"};
+    if (auto ok = emission_.assign(*inputs.movingEmissive,
+                                   std::span(kEmission).first(inputs.fog ? 4 : 3));
+        !ok)
         return tl::unexpected(ok.error());
     const PassTargets::Color colors[] = {{inputs.radiance, LoadOp::keep}};
-    const ImageId reads[] = {inputs.lighting.shadowMap, inputs.lighting.shadowAtlas};
+    const ImageId reads[] = {inputs.lighting.shadowMap, inputs.lighting.shadowAtlas, inputs.fog};
     PassTargets targets;
     targets.colors = colors;
     targets.depth = {inputs.depth, LoadOp::keep, 0, true};
@@ -43,6 +48,10 @@ Result<ForwardPass::Outputs> ForwardPass::add(FramePlan& plan, const Inputs& inp
                                               in.binder.materials->buffer()});
         in.lighting.record(context);
         if (in.lighting.features.irradianceVolume) in.lighting.recordProbes(context);
+        in.decals.record(context.commands);
+        if (in.fog)
+            context.commands.push(
+                BindTexture{RL_TEXTURE_FOG, context.texture(in.fog), in.lighting.linearSampler});
         in.binder.record(context.commands, *in.movingEmissive);
         in.binder.record(context.commands, *in.blended);
     });

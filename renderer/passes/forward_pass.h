@@ -18,6 +18,8 @@ public:
         LightingBindings lighting;
         ImageId radiance;
         ImageId depth;
+        DecalBindings decals;
+        ImageId fog;  ///< FogPass::Outputs; null without fog
     };
     struct Outputs {
         ImageId radiance;

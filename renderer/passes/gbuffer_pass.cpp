@@ -10,7 +10,10 @@ GBufferPass::GBufferPass(Device& device)
                           .fragmentShader = "passes/gbuffer.frag"}) {}
 
 Result<GBufferPass::Outputs> GBufferPass::add(FramePlan& plan, const Inputs& inputs) {
-    if (auto ok = pipelines_.assign(*inputs.draws); !ok) return tl::unexpected(ok.error());
+    constexpr std::string_view kDecals[] = {"DECALS"};
+    const std::span<const std::string_view> defines(kDecals, inputs.decals ? 1 : 0);
+    if (auto ok = pipelines_.assign(*inputs.draws, defines); !ok)
+        return tl::unexpected(ok.error());
     const uint32_t w = inputs.width, h = inputs.height;
     Outputs out;
     out.target0 = plan.createImage({"base-color-metallic", Format::rgba8, w, h});
@@ -27,6 +30,7 @@ Result<GBufferPass::Outputs> GBufferPass::add(FramePlan& plan, const Inputs& inp
         context.commands.push(BindUniforms{RL_UNIFORMS_VIEW, 0, in.viewUniforms});
         context.commands.push(BindTexelBuffer{RL_TEXTURE_MATERIALS, Format::rgba32ui, {},
                                               in.binder.materials->buffer()});
+        in.decals.record(context.commands);
         in.binder.record(context.commands, *in.draws);
     });
     return out;

@@ -13,6 +13,7 @@ public:
         DrawBinder binder;
         BufferRange viewUniforms;  ///< interop::ViewUniforms
         uint32_t width = 0, height = 0;
+        DecalBindings decals;
     };
     struct Outputs {
         ImageId target0, target1, target2;  ///< RGBA8

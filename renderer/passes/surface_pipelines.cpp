@@ -1,6 +1,7 @@
 #include "renderer/passes/surface_pipelines.h"
 
 #include "renderer/frame/surface_variant.h"
+#include "shaders/interop/bindings.h"
 
 #include <algorithm>
 
@@ -13,6 +14,14 @@ CullMode cullMode(uint32_t flags) {
 }
 
 }  // namespace
+
+void DecalBindings::record(CommandBuffer& commands) const {
+    if (!*this) return;
+    commands.push(BindTexture{RL_TEXTURE_DECAL_COLOR, color, sampler});
+    commands.push(BindTexture{RL_TEXTURE_DECAL_DETAIL, detail, sampler});
+    commands.push(BindTexelBuffer{RL_TEXTURE_DECALS, Format::rgba32f, {}, records});
+    commands.push(BindTexelBuffer{RL_TEXTURE_DECAL_LISTS, Format::r32ui, {}, lists});
+}
 
 Result<void> SurfacePipelines::assign(DrawList& list,
                                       std::span<const std::string_view> extraDefines) {

@@ -22,6 +22,17 @@ struct SurfacePipelineDesc {
     BlendMode blend = BlendMode::off;
 };
 
+/// What surfaces read to lay decals over themselves; none where `records` is empty.
+struct DecalBindings {
+    BufferRange records;  ///< GpuDecal
+    BufferRange lists;    ///< DecalClusters::lists
+    TextureHandle color, detail;
+    SamplerHandle sampler;
+
+    explicit operator bool() const { return records.size > 0; }
+    void record(CommandBuffer& commands) const;
+};
+
 /// The pipelines of a surface pass by variant, compiled when first needed.
 class SurfacePipelines {
 public:

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <span>
 
 namespace rushlight::tool {
 namespace {
@@ -19,6 +20,31 @@ bool parseNumber(std::string_view text, T& value) {
 
 [[noreturn]] void refuse(const std::string& text, const char* wanted) {
     throw CLI::ValidationError("\"" + text + "\" is not " + wanted);
+}
+
+/// Numbers with commas between them, as many as there are; false where one is none or there are too many.
+bool parseNumbers(std::string_view text, std::span<float* const> numbers) {
+    for (float* number : numbers) {
+        const size_t comma = text.find(',');
+        if (!parseNumber(text.substr(0, comma), *number)) return false;
+        if (comma == text.npos) return true;
+        text.remove_prefix(comma + 1);
+    }
+    return false;
+}
+
+SkyOption parseSky(const std::string& text) {
+    SkyOption sky;
+    float* const parts[] = {&sky.elevation, &sky.azimuth, &sky.turbidity};
+    if (parseNumbers(text, parts)) return sky;
+    refuse(text, "a sky as 30, 30,135 or 30,135,2: elevation, azimuth and turbidity");
+}
+
+Fog parseFog(const std::string& text) {
+    Fog fog;
+    float* const parts[] = {&fog.density, &fog.heightFalloff, &fog.height, &fog.anisotropy};
+    if (parseNumbers(text, parts)) return fog;
+    refuse(text, "fog as 0.02 or 0.02,0.1,0,0.3: density, falloff, height and anisotropy");
 }
 
 vec3 parseVector(const std::string& text) {
@@ -92,6 +118,15 @@ void addLightOptions(CLI::App& app, RenderOptions& o) {
     app.add_option("--environment-intensity", o.environmentIntensity, "A factor on its light")
         ->check(finiteNumber())
         ->check(CLI::NonNegativeNumber);
+    app.add_option_function<std::string>(
+           "--sky", [&o](const std::string& text) { o.sky = parseSky(text); },
+           "ELEVATION[,AZIMUTH[,TURBIDITY]]: a clear sky with its sun, in degrees, as light, background and exposure; "
+           "it takes the place of the file's directional lights")
+        ->excludes(app.get_option("--environment"));
+    app.add_option_function<std::string>(
+        "--fog", [&o](const std::string& text) { o.fog = parseFog(text); },
+        "DENSITY[,FALLOFF[,HEIGHT[,ANISOTROPY]]]: fog of so much extinction per metre at a height, falling off "
+        "upwards per metre; anisotropy -0.95 to 0.95");
     addVector(app, "--ambient", o.ambient, "r,g,b: light from all around, without an environment");
     app.add_option_function<std::string>(
         "--background",

@@ -24,6 +24,13 @@ struct Shard {
     uint32_t count = 1;
 };
 
+/// Angles in degrees; azimuth 0 is -z, 90 is +x.
+struct SkyOption {
+    float elevation = 45;
+    float azimuth = 135;
+    float turbidity = 2;
+};
+
 struct RenderOptions {
     std::string scene;
     uvec2 size{1280, 720};
@@ -37,6 +44,8 @@ struct RenderOptions {
     float verticalFov = 45;  ///< degrees
 
     std::string environment;
+    std::optional<SkyOption> sky;
+    Fog fog;
     float environmentRotation = 0;  ///< degrees
     float environmentIntensity = 1;
     std::optional<vec3> ambient;

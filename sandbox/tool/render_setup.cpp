@@ -108,7 +108,21 @@ Result<void> RenderSetup::createRenderer(GlLoadFunction loader) {
     return setTime(options_.time);
 }
 
+Result<void> RenderSetup::makeSkyEnvironment() {
+    const float elevation = glm::radians(options_.sky->elevation);
+    const float azimuth = glm::radians(options_.sky->azimuth);
+    SkyDesc desc;
+    desc.sunDirection = {std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                         -std::cos(elevation) * std::cos(azimuth)};
+    desc.turbidity = options_.sky->turbidity;
+    auto sky = makeSky(desc, *jobs_);
+    if (!sky) return tl::unexpected(Error{"--sky", sky.error().message, sky.error().kind});
+    sky_ = std::move(*sky);
+    return useEnvironment(sky_->environment("sky"));
+}
+
 Result<void> RenderSetup::loadEnvironment() {
+    if (options_.sky) return makeSkyEnvironment();
     if (options_.environment.empty()) {
         if (options_.background != Background::environment) return {};
         return fail("--background environment",
@@ -122,17 +136,16 @@ Result<void> RenderSetup::loadEnvironment() {
     std::vector<vec3> pixels(picture->pixelCount());
     for (size_t i = 0; i < pixels.size(); ++i)
         pixels[i] = {picture->rgba[i * 4], picture->rgba[i * 4 + 1], picture->rgba[i * 4 + 2]};
+    return useEnvironment({options_.environment, picture->width, picture->height, pixels});
+}
+
+Result<void> RenderSetup::useEnvironment(const EnvironmentDesc& desc) {
     if (options_.probes != "off" || !context_) {
-        environmentPixels_ = pixels;
-        environmentSize_ = {picture->width, picture->height};
+        environmentPixels_.assign(desc.pixels.begin(), desc.pixels.end());
+        environmentSize_ = {desc.width, desc.height};
     }
     hasEnvironment_ = true;
     if (!context_) return {};
-    EnvironmentDesc desc;
-    desc.label = options_.environment;
-    desc.width = picture->width;
-    desc.height = picture->height;
-    desc.pixels = pixels;
     const auto created = renderer_->createEnvironment(desc);
     if (!created) return tl::unexpected(created.error());
     environment_ = *created;
@@ -252,6 +265,17 @@ FrameInput RenderSetup::frame() const {
         options_.background.value_or(environment_ ? Background::environment : Background::color);
     lighting.backgroundColor = options_.backgroundColor;
     lighting.ambientSky = lighting.ambientGround = options_.ambient.value_or(vec3(0));
+    lighting.fog = options_.fog;
+    if (sky_) {
+        lighting.directional = {&sky_->sun, 1};
+        lighting.sunDisk = {-sky_->sun.direction, kSunAngularRadius, sky_->sunRadiance};
+        const bool chosen = options_.autoExposure || options_.exposureValue ||
+                            options_.exposureScale != 1;
+        if (!chosen) {
+            input.settings.useExposureValue = true;
+            input.settings.exposureValue = sky_->exposureValue;
+        }
+    }
     if (defaultLights_) {
         lighting.directional = {&defaultSun_, 1};
         lighting.ambientSky = vec3(0.6f);

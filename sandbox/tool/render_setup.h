@@ -2,6 +2,7 @@
 // A scene, loaded and ready to be rendered as the options say.
 
 #include "engine/assets/model.h"
+#include "renderer/frame/sky.h"
 #include "renderer/raytrace/probe_bake.h"
 #include "renderer/renderer.h"
 #include "renderer/scene_bridge/scene_bridge.h"
@@ -41,6 +42,8 @@ private:
     Result<void> loadEnvironment();
     Result<void> loadProbes();
     BakeLighting bakeLighting() const;
+    Result<void> makeSkyEnvironment();
+    Result<void> useEnvironment(const EnvironmentDesc&);
     Result<void> chooseCamera();
     void chooseLights();
     View viewThatFrames(const Aabb& bounds) const;
@@ -57,6 +60,7 @@ private:
     std::vector<vec3> environmentPixels_;  ///< kept where probes are baked or checked
     uvec2 environmentSize_{0};
     IrradianceVolumeHandle probes_;
+    std::optional<Sky> sky_;  ///< of --sky
     int animation_ = -1;
     int camera_ = -1;  ///< -1: `view_`
     View view_;

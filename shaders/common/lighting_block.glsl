@@ -1,4 +1,7 @@
 // LightingUniforms read from the uniform block: for forward surfaces, whose triangles are too many for flat varyings.
+#include "interop/bindings.h"
+#include "interop/frame_uniforms.h"
+
 layout(std140, binding = RL_UNIFORMS_LIGHTING) uniform LightingBlock { LightingUniforms lighting; };
 
 #define L_SHADOW_SETTINGS lighting.shadowSettings
@@ -17,3 +20,7 @@ layout(std140, binding = RL_UNIFORMS_LIGHTING) uniform LightingBlock { LightingU
 #define L_VOLUME_LAST lighting.volumeLast
 #define L_VOLUME_OUTER(i) lighting.volumeOuter[i]
 #define L_VOLUME_OUTER_LUMINANCE lighting.volumeOuterLuminance
+#define L_FOG_MEDIUM lighting.fogMedium
+#define L_FOG_ALBEDO lighting.fogAlbedo
+#define L_FOG_MAPPING lighting.fogMapping
+#define L_FOG_GRID lighting.fogGrid

@@ -15,6 +15,8 @@ layout(location = 3) flat LIGHTING_VARYING vec4 flatDepthDecode;
 layout(location = 4) flat LIGHTING_VARYING vec4 flatViewDirection;
 #if defined(BACKGROUND)
 layout(location = 5) flat LIGHTING_VARYING vec4 flatBackground;
+layout(location = 6) flat LIGHTING_VARYING vec4 flatSunDisk;
+layout(location = 7) flat LIGHTING_VARYING vec4 flatSunDiskRadiance;
 #endif
 #if DIRECTIONAL_LIGHTS > 0
 layout(location = 5) flat LIGHTING_VARYING vec4 flatDirections[DIRECTIONAL_LIGHTS];
@@ -61,6 +63,8 @@ void writeLightingVaryings(vec2 uv) {
     flatViewDirection = lighting.viewDirection;
 #if defined(BACKGROUND)
     flatBackground = lighting.background;
+    flatSunDisk = lighting.sunDisk;
+    flatSunDiskRadiance = lighting.sunDiskRadiance;
 #endif
 #if DIRECTIONAL_LIGHTS > 0
     for (int i = 0; i < DIRECTIONAL_LIGHTS; ++i) {

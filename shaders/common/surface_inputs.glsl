@@ -35,6 +35,6 @@ layout(location = 4) SURFACE_VARYING vec4 surfaceColor;
 layout(location = 5) SURFACE_VARYING vec4 surfaceClip;
 layout(location = 6) SURFACE_VARYING vec4 surfacePreviousClip;
 #endif
-#if defined(FORWARD)
+#if defined(FORWARD) || defined(DECALS)
 layout(location = 7) SURFACE_VARYING vec3 surfacePosition;  // relative to the camera
 #endif

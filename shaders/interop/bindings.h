@@ -58,5 +58,11 @@
 #define RL_TEXTURE_LOCAL_TINT 26
 #define RL_TEXTURE_PROBE_RECORDS 28
 #define RL_TEXTURE_LOCAL_FLOW 28
+#define RL_TEXTURE_FOG 29
+// Surfaces alone read these, and no surface reads the G-buffer: they share its units.
+#define RL_TEXTURE_DECAL_COLOR 8
+#define RL_TEXTURE_DECAL_DETAIL 9
+#define RL_TEXTURE_DECALS 10
+#define RL_TEXTURE_DECAL_LISTS 11
 
 #endif

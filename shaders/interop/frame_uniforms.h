@@ -14,6 +14,13 @@ RL_INTEROP_BEGIN
 #define RL_SHADOW_RIM 3
 #define RL_SHADOW_RIM_SOFT 18
 #define RL_CASCADE_BAND 0.05
+// Side of the fog's froxels in pixels, their slices, and how many of these lie side by side in a row of their image
+#define RL_FOG_PIXELS 16
+#define RL_FOG_SLICES 64
+#define RL_FOG_COLUMNS 8
+#define RL_DECAL_SLICES 16
+// The most that a half float holds: brighter light is cut off there, not made infinite.
+#define RL_MAX_RADIANCE 65504.0
 
 // RL_UNIFORMS_VIEW, for passes that draw geometry: the camera's, or a cascade's.
 struct ViewUniforms {
@@ -21,6 +28,8 @@ struct ViewUniforms {
     mat4 previousClipFromWorld;
     vec4 cameraPosition;  // world; w: 1 for a perspective view, 0 for an orthographic one
     vec4 cameraForward;   // world, unit
+    vec4 decalMapping;    // slice = log2(viewDepth) * x + y; z: tiles in a row, w: tiles in a slice
+    vec4 decalScale;      // x: metres of a pixel, at one metre if the view is perspective
 };
 
 // RL_UNIFORMS_LIGHTING. "Relative" positions are world axes with the camera at the origin.
@@ -49,13 +58,19 @@ struct LightingUniforms {
     vec4 volumeLast;      // xyz: number of the last probe along each axis
     vec4 volumeOuter[3];  // beyond them, by colour: x: mean radiance, yzw: mean of radiance times direction
     vec4 volumeOuterLuminance;  // the same of luminance; yzw over x
+    vec4 fogMedium;       // x: extinction per metre at the eye's height, y: falloff per metre, z: anisotropy
+    vec4 fogAlbedo;       // rgb
+    vec4 fogMapping;      // slice = log2(viewDepth) * x + y, from 1 at z; w: the farthest view depth
+    vec4 fogGrid;         // xy: tiles, zw: 1 / pixels of the target
+    vec4 sunDisk;         // xyz: towards it, w: cosine of its radius
+    vec4 sunDiskRadiance; // rgb
 };
 
 RL_INTEROP_END
 
 #ifndef GLSL
-static_assert(sizeof(rushlight::interop::ViewUniforms) == 160);
-static_assert(sizeof(rushlight::interop::LightingUniforms) == 16 * (10 + 3 + 4 + 2 + 8 + 4 + 7));
+static_assert(sizeof(rushlight::interop::ViewUniforms) == 192);
+static_assert(sizeof(rushlight::interop::LightingUniforms) == 16 * (10 + 3 + 4 + 2 + 8 + 4 + 7 + 6));
 #endif
 
 #endif

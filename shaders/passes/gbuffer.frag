@@ -1,5 +1,9 @@
 #include "common/gbuffer.glsl"
 #include "common/material.glsl"
+#if defined(DECALS)
+layout(std140, binding = RL_UNIFORMS_VIEW) uniform ViewBlock { ViewUniforms view; };
+#include "common/decals.glsl"
+#endif
 
 layout(location = 0) out vec4 target0;
 layout(location = 1) out vec4 target1;
@@ -7,6 +11,11 @@ layout(location = 2) out vec4 target2;
 
 void main() {
     SurfaceSample s = sampleSurface();
+#if defined(DECALS) && !defined(UNLIT)
+    s.normal = normalize(s.normal);
+    applyDecals(surfacePosition, gl_FragCoord.xy, s.baseColor.rgb, s.normal, s.roughness,
+                s.metallic);
+#endif
     vec3 packed24 = vec3(0.0);
     int kind = RL_SURFACE_AT_REST;
 #if defined(UNLIT)

@@ -47,5 +47,5 @@ void main() {
     localLight(gl_FragCoord.xy, viewDepth, s.tint, s.flow);
 #endif
     vec3 lit = lightSurface(s, gl_FragCoord.xy) + g.emissive;
-    radiance = vec4(g.unlit > 0.5 ? g.baseColor : lit, 1.0);
+    radiance = vec4(min(g.unlit > 0.5 ? g.baseColor : lit, RL_MAX_RADIANCE), 1.0);
 }

@@ -66,7 +66,7 @@ void main() {
     vec3 previousWorld = transform(previousRow0, previousRow1, previousRow2, local);
     surfacePreviousClip = view.previousClipFromWorld * vec4(previousWorld, 1.0);
 #endif
-#if defined(FORWARD)
+#if defined(FORWARD) || defined(DECALS)
     surfacePosition = world - view.cameraPosition.xyz;
 #endif
 }

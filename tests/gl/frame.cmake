@@ -3,6 +3,8 @@ find_library(EGL_LIBRARY EGL REQUIRED)
 add_executable(frame_gl_test
   allocations_gl_test.cpp
   culling_gl_test.cpp
+  decals_gl_test.cpp
+  fog_gl_test.cpp
   interop_gl_test.cpp
   ../support/allocation_counter.cpp
   ../support/random_scene.cpp

@@ -80,11 +80,13 @@ protected:
 TEST_F(InteropGl, ViewUniforms) {
     const Block block = layoutOf("interop/frame_uniforms.h", "ViewUniforms");
     EXPECT_EQ(block.size, GLint(sizeof(ViewUniforms)));
-    ASSERT_EQ(block.offsets.size(), 4u);
+    ASSERT_EQ(block.offsets.size(), 6u);
     EXPECT_SAME_OFFSET(block, ViewUniforms, clipFromWorld, "");
     EXPECT_SAME_OFFSET(block, ViewUniforms, previousClipFromWorld, "");
     EXPECT_SAME_OFFSET(block, ViewUniforms, cameraPosition, "");
     EXPECT_SAME_OFFSET(block, ViewUniforms, cameraForward, "");
+    EXPECT_SAME_OFFSET(block, ViewUniforms, decalMapping, "");
+    EXPECT_SAME_OFFSET(block, ViewUniforms, decalScale, "");
 }
 
 TEST_F(InteropGl, PassUniforms) {
@@ -118,6 +120,12 @@ TEST_F(InteropGl, LightingUniforms) {
     EXPECT_SAME_OFFSET(block, LightingUniforms, ambientSky, "");
     EXPECT_SAME_OFFSET(block, LightingUniforms, ambientGround, "");
     EXPECT_SAME_OFFSET(block, LightingUniforms, background, "");
+    EXPECT_SAME_OFFSET(block, LightingUniforms, fogMedium, "");
+    EXPECT_SAME_OFFSET(block, LightingUniforms, fogAlbedo, "");
+    EXPECT_SAME_OFFSET(block, LightingUniforms, fogMapping, "");
+    EXPECT_SAME_OFFSET(block, LightingUniforms, fogGrid, "");
+    EXPECT_SAME_OFFSET(block, LightingUniforms, sunDisk, "");
+    EXPECT_SAME_OFFSET(block, LightingUniforms, sunDiskRadiance, "");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@ add_executable(frame_test
   frame_plan_test.cpp
   geometry_store_test.cpp
   instance_world_test.cpp
+  decal_clusters_test.cpp
   light_clusters_test.cpp
   material_store_test.cpp
   mesh_lods_test.cpp

@@ -2,6 +2,7 @@ add_executable(lighting_test
   brdf_test.cpp
   encode_test.cpp
   environment_test.cpp
+  sky_test.cpp
   tonemap_test.cpp)
 target_link_libraries(lighting_test PRIVATE
   rushlight_lighting rushlight_jobs rushlight_options GTest::gtest_main)

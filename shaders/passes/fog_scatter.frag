@@ -1,0 +1,123 @@
+// Light that one froxel of fog scatters to the eye, and the share that it covers of what is behind: Hillaire 2015, "Physically
+// Based and Unified Volumetric Rendering in Frostbite".
+#include "common/lighting_block.glsl"
+#include "common/fog.glsl"
+#include "common/lighting.glsl"
+#if defined(IRRADIANCE_VOLUME)
+#include "common/irradiance_probes.glsl"
+#endif
+
+layout(location = 4) flat in vec3 flatAmbient;
+
+layout(location = 0) out vec4 fog;
+
+const float kPi = 3.14159265;
+
+/// What one sample of a froxel stands for, in metres.
+struct Piece {
+    float halfLength;  // along the ray
+    float width;       // half of it
+};
+
+/// Henyey and Greenstein 1941; `cosine` between the way of the light and the way to the eye.
+float phase(float cosine) {
+    float g = L_FOG_MEDIUM.z;
+    float base = 1.0 + g * g - 2.0 * g * cosine;
+    return (1.0 - g * g) / (4.0 * kPi * base * sqrt(base));
+}
+
+#if defined(CLUSTERED_LIGHTS)
+/// Light of one lamp that a piece of a froxel scatters. Between lamp and ray, 1 / distance² is not sampled but averaged over
+/// the piece, in closed form along the ray (Lecocq et al. 2000, "Accurate Rendering of Light Effects in Participating
+/// Media") and softened by its width: near a lamp a sample would be as bright as it happens to be near.
+vec3 lampScattering(LightSample light, LitSurface s, Piece piece) {
+    float along = -dot(light.direction, s.point.view) * sqrt(light.distanceSquared);
+    float away = sqrt(max(light.distanceSquared - along * along, 0.0) + piece.width * piece.width);
+    float mean = (atan((piece.halfLength - along) / away) + atan((piece.halfLength + along) / away)) /
+                 (2.0 * piece.halfLength * away);
+    return light.intensity * (light.attenuation * light.distanceSquared * mean *
+                              phase(-dot(light.direction, s.point.view)));
+}
+
+vec3 clusteredScattering(LitSurface s, Piece piece, vec2 pixel) {
+    int cluster = clusterAt(pixel, s.viewDepth);
+    int first = int(texelFetch(clusterTexels, cluster * CLUSTER_WORDS).x >> 10);
+    ivec2 counts = lightCounts(cluster);
+    vec3 sum = vec3(0.0);
+#if defined(PLAIN_LIGHTS)
+    for (int i = 0; i < counts.x; ++i) {
+        LightSample light = sampleLight(first + i, s);
+        sum += lampScattering(light, s, piece);
+    }
+#endif
+#if defined(MODULATED_LIGHTS)
+    for (int i = counts.x; i < counts.x + counts.y; ++i) {
+        LightSample light = sampleLight(first + i, s);
+        s.point.normal = light.direction;
+#if defined(PUNCTUAL_SHADOW)
+        float record = texelFetch(lightTexels, light.texel + 3).x;
+        if (record >= 0.0)
+            light.attenuation *= punctualVisibility(int(record), s, light.direction,
+                                                    sqrt(light.distanceSquared));
+#endif
+        sum += lampScattering(light, s, piece);
+    }
+#endif
+    return sum;
+}
+#endif
+
+vec3 lightAt(vec3 position, float viewDepth, vec3 view, Piece piece, vec2 pixel) {
+    LitSurface s;
+    s.position = position;
+    s.viewDepth = viewDepth;
+    s.point.view = view;
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < DIRECTIONAL_LIGHTS; ++i) {
+        vec3 towards = L_DIRECTION(i).xyz;
+        vec3 light = L_ILLUMINANCE(i).rgb * phase(-dot(towards, view));
+#if defined(SUN_SHADOW)
+        // A point of air faces every light.
+        s.point.normal = towards;
+        if (i == 0) light *= sunVisibility(s, towards);
+#endif
+        sum += light;
+    }
+#if defined(CLUSTERED_LIGHTS)
+    sum += clusteredScattering(s, piece, pixel);
+#endif
+    return sum;
+}
+
+void main() {
+    vec2 grid = L_FOG_GRID.xy;
+    vec2 cell = floor(gl_FragCoord.xy / grid);
+    vec2 tile = gl_FragCoord.xy - cell * grid;
+    float slice = cell.y * float(RL_FOG_COLUMNS) + cell.x;
+    vec2 pixel = tile * float(RL_FOG_PIXELS);
+    vec2 uv = pixel * L_FOG_GRID.zw;
+    vec3 base = lighting.baseCorner.xyz + lighting.baseRight.xyz * uv.x + lighting.baseUp.xyz * uv.y;
+    vec3 ray = lighting.rayCorner.xyz + lighting.rayRight.xyz * uv.x + lighting.rayUp.xyz * uv.y;
+    vec3 view = -normalize(ray);
+
+    float near = fogSliceDepth(slice), far = fogSliceDepth(slice + 1.0);
+    vec3 light = vec3(0.0);
+    Piece piece;
+    piece.halfLength = length(ray) * (far - near) * (0.5 / float(FOG_SAMPLES));
+    float wide = float(RL_FOG_PIXELS) * L_FOG_GRID.z * 0.5;
+    for (int i = 0; i < FOG_SAMPLES; ++i) {
+        float depth = mix(near, far, (float(i) + 0.5) / float(FOG_SAMPLES));
+        piece.width = wide * length(lighting.baseRight.xyz + lighting.rayRight.xyz * depth);
+        light += lightAt(base + ray * depth, depth, view, piece, pixel);
+    }
+#if defined(IRRADIANCE_VOLUME)
+    LightAround around = lightAround(base + ray * (near + far) * 0.5, vec3(0.0));
+    vec3 ambient = vec3(around.red.x, around.green.x, around.blue.x);
+#else
+    vec3 ambient = flatAmbient;
+#endif
+    light = (light / float(FOG_SAMPLES) + ambient) * L_FOG_ALBEDO.rgb;
+    float covered = fogCover(fogOpticalDepth(base.y + ray.y * near, base.y + ray.y * far,
+                                             length(ray) * (far - near)));
+    fog = vec4(min(light * covered, RL_MAX_RADIANCE), covered);
+}
