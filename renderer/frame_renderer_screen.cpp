@@ -40,8 +40,8 @@ Result<ImageId> FrameRenderer::planReflections(const FrameInput& input,
         plan_, {radiance, lit.gbuffer.depth, screen, &commands_, lit.width, lit.height});
     if (!pyramid) return tl::unexpected(pyramid.error());
     const auto made = reflectionsPass_.add(
-        plan_, {lit.gbuffer, lit.lighting, lit.ambientOcclusion, *pyramid, screen, radiance, alone,
-                &commands_, lit.width, lit.height});
+        plan_, {lit.gbuffer, lit.lighting, lit.ambientOcclusion, lit.localTint, lit.localFlow, *pyramid,
+                screen, radiance, alone, &commands_, lit.width, lit.height});
     if (!made) return tl::unexpected(made.error());
     return made->radiance;
 }

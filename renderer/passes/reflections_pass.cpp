@@ -9,7 +9,7 @@ namespace {
 struct Payload {
     GBufferPass::Outputs gbuffer;
     LightingBindings lighting;
-    ImageId ambientOcclusion, reflections;
+    ImageId ambientOcclusion, localTint, localFlow, reflections;
     PipelineHandle pipeline;
     SamplerHandle nearest;
 };
@@ -26,6 +26,11 @@ void record(const Payload& p, PassContext& context) {
     bind(RL_TEXTURE_DEPTH, p.gbuffer.depth);
     bind(RL_TEXTURE_SOURCE0, p.reflections);
     if (p.ambientOcclusion) bind(RL_TEXTURE_AMBIENT_OCCLUSION, p.ambientOcclusion);
+    if (p.lighting.features.irradianceVolume) {
+        bind(RL_TEXTURE_LOCAL_TINT, p.localTint);
+        commands.push(BindTexture{RL_TEXTURE_LOCAL_FLOW, context.texture(p.localFlow),
+                                  p.lighting.linearSampler});
+    }
     commands.push(SetPipeline{p.pipeline});
     commands.push(Draw{3, 1, 0});
 }
@@ -44,13 +49,14 @@ Result<PipelineHandle> ReflectionsPass::findComposite(const Inputs& inputs) {
     const uint32_t features = uint32_t(lit.environment) | uint32_t(lit.hemisphere) << 1 |
                               uint32_t(lit.orthographic) << 2 |
                               uint32_t(bool(inputs.ambientOcclusion)) << 3 |
-                              uint32_t(inputs.alone) << 4;
+                              uint32_t(inputs.alone) << 4 | uint32_t(lit.irradianceVolume) << 5;
     for (const Composite& known : composites_)
         if (known.features == features) return known.pipeline;
     LightingFeatures ambient;  // of lighting's, what the mirrored environment needs
     ambient.environment = lit.environment;
     ambient.hemisphere = lit.hemisphere;
     ambient.orthographic = lit.orthographic;
+    ambient.irradianceVolume = lit.irradianceVolume;
     std::vector<std::string_view> defines;
     ambient.appendDefines(defines);
     if (inputs.ambientOcclusion) defines.push_back("AMBIENT_OCCLUSION");
@@ -103,18 +109,21 @@ Result<ReflectionsPass::Outputs> ReflectionsPass::add(FramePlan& plan, const Inp
             {"reflections-alone", Format::rgba16f, inputs.width, inputs.height});
     LightingBindings lighting = inputs.lighting;  // no light but the ambient one is needed
     lighting.features.shadowCascades = 0;
-    lighting.features.clusteredLights = false;
+    lighting.features.plainLights = lighting.features.modulatedLights = false;
+    lighting.features.punctualShadow = false;
     const PassTargets::Color colors[] = {
         {out.radiance, inputs.alone ? LoadOp::clear : LoadOp::keep, vec4(0, 0, 0, 1)}};
-    const ImageId reads[] = {g.target0, g.target1, g.target2, g.depth, traced,
-                             inputs.ambientOcclusion};
+    const ImageId reads[] = {g.target0, g.target1,        g.target2,
+                             g.depth,   traced,           inputs.ambientOcclusion,
+                             inputs.localTint, inputs.localFlow};
     PassTargets targets;
     targets.colors = colors;
     targets.depth = {g.depth, LoadOp::keep, 0, true};
     targets.reads = reads;
     plan.addPass<Payload>(
         "reflections", targets,
-        {g, lighting, inputs.ambientOcclusion, traced, *composite, nearest_}, record);
+        {g, lighting, inputs.ambientOcclusion, inputs.localTint, inputs.localFlow, traced, *composite,
+         nearest_}, record);
     return out;
 }
 

@@ -14,6 +14,7 @@ public:
         GBufferPass::Outputs gbuffer;
         LightingBindings lighting;  ///< those that lit `radiance`
         ImageId ambientOcclusion;   ///< the one that lit `radiance`; null: none
+        ImageId localTint, localFlow;  ///< likewise, of IrradiancePass
         PyramidPass::Outputs pyramid;
         interop::ScreenUniforms screen;
         ImageId radiance;              ///< reflections are added to it

@@ -8,6 +8,9 @@
 #if defined(AMBIENT_OCCLUSION)
 #include "common/ambient_occlusion.glsl"
 #endif
+#if defined(IRRADIANCE_VOLUME)
+#include "common/local_light.glsl"
+#endif
 
 layout(binding = RL_TEXTURE_GBUFFER0) uniform sampler2D gbuffer0;
 layout(binding = RL_TEXTURE_GBUFFER1) uniform sampler2D gbuffer1;
@@ -59,6 +62,9 @@ void main() {
     AmbientVisibility ambient = ambientVisibility(gl_FragCoord.xy, depth, perDepth, g.normal);
     s.visible = ambient.visible;
     s.bent = ambient.bent;
+#endif
+#if defined(IRRADIANCE_VOLUME)
+    localLight(gl_FragCoord.xy, viewDepth, s.tint, s.flow);
 #endif
     EnvironmentWeights weights = ambientWeights(s);
     vec3 mirrored = weights.specular * hit.rgb;
