@@ -190,8 +190,8 @@ struct QualityLevel {
 
 constexpr std::array<QualityLevel, 4> kQualityLevels = {{
     {1, 1024, false, AntiAliasing::off, 1, false, 1024, 128, ShadowFilter::hard},
-    {2, 1024, true, AntiAliasing::fxaa, 0.5f, false, 2048, 256, ShadowFilter::pcf},
-    {4, 2048, true, AntiAliasing::fxaa, 0.3f, false, 4096, 512, ShadowFilter::pcf},
+    {2, 1024, true, AntiAliasing::fxaa, 0.5f, false, 2048, 512, ShadowFilter::pcf},
+    {4, 2048, true, AntiAliasing::fxaa, 0.3f, false, 4096, 1024, ShadowFilter::pcf},
     {4, 4096, true, AntiAliasing::fxaa, 0.1f, true, 8192, 1024, ShadowFilter::soft},
 }};
 
