@@ -16,11 +16,10 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
         .count();
 }
 
-SamplerHandle clampingSampler(Device& device, bool mipmaps, bool compare) {
+SamplerHandle clampingSampler(Device& device, bool mipmaps) {
     SamplerDesc desc;
     desc.wrapU = desc.wrapV = TextureWrap::clampToEdge;
     desc.useMipmaps = mipmaps;
-    desc.compareGreaterEqual = compare;
     return device.createSampler(desc);
 }
 
@@ -55,10 +54,10 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       debugViewPass_(device),
       boundsPass_(device),
       overlayPass_(device),
-      shadowSampler_(clampingSampler(device, false, true)),
-      cubeSampler_(clampingSampler(device, true, false)),
-      linearSampler_(clampingSampler(device, false, false)),
-      decalSampler_(clampingSampler(device, true, false)),
+      shadowSampler_(nearestClampSampler(device)),
+      cubeSampler_(clampingSampler(device, true)),
+      linearSampler_(clampingSampler(device, false)),
+      decalSampler_(clampingSampler(device, true)),
       submitted_(device.maxPendingFrames()) {}
 
 Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& output,

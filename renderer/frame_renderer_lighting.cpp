@@ -41,8 +41,7 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
     }
     b.features.punctualShadow = !shadowLights_.records().empty() && b.features.modulatedLights;
     b.features.shadowFilter = input.settings.shadowFilter;
-    b.shadowSampler = b.features.shadowFilter == ShadowFilter::soft ? linearSampler_  // gathers do not filter
-                                                                    : shadowSampler_;
+    b.shadowSampler = shadowSampler_;
     b.cubeSampler = cubeSampler_;
     b.linearSampler = linearSampler_;
     if (environment) {

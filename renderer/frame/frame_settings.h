@@ -48,7 +48,7 @@ struct FrameSettings {
     bool shadowCaching = true;  ///< a cascade whose view and casters are those of the last frame is not drawn again
     bool lightShadows = false;  ///< of point and spot lights (PunctualLight::castsShadow)
     uint32_t shadowAtlasSize = 4096;  ///< texels a side of the map that those lights share; 256 to 16,384, rounded down to 2^n
-    uint32_t shadowTileSize = 512;    ///< the most texels a side of a light's face; 64 to shadowAtlasSize, rounded down to 2^n
+    uint32_t shadowTileSize = 1024;   ///< the most texels a side of a light's face; 64 to shadowAtlasSize, rounded down to 2^n
     ShadowFilter shadowFilter = ShadowFilter::pcf;
     /// Surfaces hide ambient light from each other, as far as the screen shows it. Of opaque surfaces; costs nothing
     /// where a frame has no ambient light.

@@ -67,10 +67,10 @@ void fillShadows(const CameraMatrices& camera, const ShadowCascades& cascades, f
     }
     const float resolution = float(cascades.resolution);
     const bool fades = cascades.cascades[cascades.count - 1].followsCamera;
-    u.shadowSettings = {float(cascades.count), resolution, 1 / resolution,
-                        fades ? 1 / float(RL_CASCADE_BAND) : 1e6f};
     const float depthPerMetre = glm::length(vec3(cascades.rows[2]));
-    u.shadowSoftness = {std::tan(angularRadius) / depthPerMetre, depthPerMetre, 0, 0};
+    u.shadowSettings = {depthPerMetre, resolution, 1 / resolution,
+                        fades ? 1 / float(RL_CASCADE_BAND) : 1e6f};
+    u.shadowSoftness = {std::tan(angularRadius) / depthPerMetre, 0, 0, 0};
 }
 
 // What is around the probes: the environment, turned as it is, or the hemisphere.

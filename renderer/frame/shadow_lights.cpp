@@ -183,8 +183,12 @@ void ShadowLights::updateWishes() {
         }
 }
 
+// What lowers all by a level does so in four steps, a quarter of the lights each, whichever they are: an order by
+// importance would change with the camera, and each change is a map to draw.
 uint32_t ShadowLights::levelOf(const Slot& slot, uint32_t bias) const {
-    return std::max(slot.wish, kSmallestLevel + bias) - bias;
+    const uint32_t isLower = (slot.identity >> 8 & 3) < bias % 4;
+    const uint32_t less = std::min(bias / 4 + isLower, largestLevel_ - kSmallestLevel);
+    return std::min(slot.wish, largestLevel_ - less);
 }
 
 uint64_t ShadowLights::texelsAt(uint32_t bias) const {
@@ -194,12 +198,13 @@ uint64_t ShadowLights::texelsAt(uint32_t bias) const {
     return sum;
 }
 
-// All lights lose as many levels as it takes for those seen lately to fit; they get them back when there is ample room.
+// The largest lose what it takes for those seen lately to fit, and get it back when there is ample room.
 void ShadowLights::chooseBias() {
     const uint64_t room = uint64_t(tiles_.size()) * tiles_.size();
     const uint32_t before = bias_;
-    while (bias_ < largestLevel_ - kSmallestLevel && texelsAt(bias_) > room) ++bias_;
-    if (bias_ == before && bias_ > 0 && texelsAt(bias_ - 1) <= room / 4 * 3) --bias_;
+    while (bias_ < 4 * (largestLevel_ - kSmallestLevel) && texelsAt(bias_) > room) ++bias_;
+    if (bias_ == before)
+        while (bias_ > 0 && texelsAt(std::max(bias_, 2u) - 2) <= room / 4 * 3) --bias_;
     while (texelsAt(bias_) > room && evictOldest()) {}
 }
 

@@ -100,7 +100,7 @@ private:
     std::vector<GpuShadowFace> gpuFaces_;
     bool anyRecord_ = false;
     uint32_t largestLevel_ = 0;
-    uint32_t bias_ = 0;  ///< levels taken from all lights so that they fit
+    uint32_t bias_ = 0;  ///< quarters of a level below largestLevel_ that tiles keep to, so that all fit
     uint64_t frame_ = 0;
     Counts counts_;
 };

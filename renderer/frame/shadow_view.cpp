@@ -71,7 +71,7 @@ GpuShadowFace makeGpuShadowFace(const ShadowFaceDesc& d, uint32_t tileX, uint32_
     face.centerU = (float(tileX) + half) * texelUv;
     face.centerV = (float(tileY) + half) * texelUv;
     face.nearPlane = d.nearPlane;
-    face.softLimit = float(shadowBorder(d.texels) - 2) * texelUv;
+    face.softLimit = float(shadowBorder(d.texels)) - 2;
     face.texelTangent = tangent / half;
     face.radius = radius;
     return face;

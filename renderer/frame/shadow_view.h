@@ -23,7 +23,7 @@ struct GpuShadowFace {
     float centerV;
     vec3 forward; ///< unit
     float nearPlane;
-    float softLimit;       ///< uv, the widest penumbra's radius: within the border
+    float softLimit;       ///< texels, the widest penumbra's radius: within the border
     float texelTangent;    ///< metres that a texel spans at one metre's distance
     float uvPerTangent;
     float radius;          ///< metres, of the source

@@ -26,9 +26,7 @@ ShadowAtlasPass::ShadowAtlasPass(Device& device)
     : device_(device),
       pipelines_(device, {.label = "shadow.atlas",
                           .vertexShader = "passes/surface.vert",
-                          .fragmentShader = "passes/depth.frag",
-                          .depthBias = -1,
-                          .depthBiasSlope = -1.0f}),
+                          .fragmentShader = "passes/depth.frag"}),
       nearest_(nearestClampSampler(device)) {}
 
 ShadowAtlasPass::~ShadowAtlasPass() {

@@ -26,16 +26,14 @@ void record(const Payload& payload, PassContext& context) {
 
 }  // namespace
 
-// The bias pushes casters away from the light by what their slope spans across a texel; the rest is the receivers'
-// normal offset (shaders/common/lighting.glsl). Depth is clamped so that casters before the view still cast.
+// Casters are drawn where they are: what keeps surfaces from shading themselves is at the receivers
+// (shaders/common/shadow_filter.glsl). Depth is clamped so that casters before the view still cast.
 ShadowPass::ShadowPass(Device& device)
     : device_(device),
       pipelines_(device, {.label = "shadow",
                           .vertexShader = "passes/surface.vert",
                           .fragmentShader = "passes/depth.frag",
-                          .depthClamp = true,
-                          .depthBias = -1,
-                          .depthBiasSlope = -1.0f}) {}
+                          .depthClamp = true}) {}
 
 ShadowPass::~ShadowPass() {
     if (map_) device_.destroy(map_);

@@ -4,6 +4,9 @@
 #include "interop/bindings.h"
 #include "interop/frame_uniforms.h"
 #include "common/lit_surface.glsl"
+#if defined(SUN_SHADOW) || defined(PUNCTUAL_SHADOW)
+#include "common/shadow_filter.glsl"
+#endif
 #if defined(SUN_SHADOW)
 #include "common/sun_shadow.glsl"
 #endif

@@ -3,6 +3,7 @@
 
 struct LitSurface {
     vec3 position;  // relative to the camera, world axes
+    vec4 facing;    // unit normal of the triangle, on the side of point.normal; w: 1 where it is a guess
     float viewDepth;
     vec3 baseColor;
     float metallic;
@@ -15,10 +16,19 @@ struct LitSurface {
     ShadingPoint point;
 };
 
+// From the neighbouring pixels' positions; those beside another surface know no better than the shading normal.
+vec4 facingOf(vec3 position, vec3 normal) {
+    vec3 across = cross(dFdx(position), dFdy(position));
+    float size = inversesqrt(max(dot(across, across), 1e-30));
+    float along = dot(across, normal) * size;
+    return abs(along) > 0.9 ? vec4(across * (along < 0.0 ? -size : size), 0.0) : vec4(normal, 1.0);
+}
+
 LitSurface makeLitSurface(vec3 position, float viewDepth, vec3 view, vec3 normal, vec3 baseColor,
                           float metallic, float roughness, float occlusion) {
     LitSurface s;
     s.position = position;
+    s.facing = facingOf(position, normal);
     s.viewDepth = viewDepth;
     s.baseColor = baseColor;
     s.metallic = metallic;

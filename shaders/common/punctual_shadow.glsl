@@ -1,8 +1,7 @@
 // The share of a point or spot light that reaches a surface, from the shadow atlas. Layout: GpuShadowFace in
 // renderer/frame/shadow_view.h.
-#include "common/shadow_filter.glsl"
 
-layout(binding = RL_TEXTURE_SHADOW_ATLAS) uniform SHADOW_MAP shadowAtlas;
+layout(binding = RL_TEXTURE_SHADOW_ATLAS) uniform sampler2DArray shadowAtlas;
 layout(binding = RL_TEXTURE_SHADOW_FACES) uniform samplerBuffer shadowFaces;
 
 // +x, -x, +y, -y, +z, -z
@@ -21,22 +20,19 @@ float punctualVisibility(int record, LitSurface s, vec3 towardsLight, float dist
     vec4 up = texelFetch(shadowFaces, texel + 1);
     vec4 forward = texelFetch(shadowFaces, texel + 2);
     vec4 more = texelFetch(shadowFaces, texel + 3);
-    float cosine = clamp(dot(s.point.normal, towardsLight), 0.0, 1.0);
-    float texelMetres = more.y * max(dot(forward.xyz, p), 0.0);
-    vec3 q = p + s.point.normal * (texelMetres * shadowOffset(cosine));
-    float w = max(dot(forward.xyz, q), forward.w);  // behind a spot there is no light
-    ShadowLookup at;
-    at.uv = vec2(dot(right.xyz, q), dot(up.xyz, q)) / w + vec2(right.w, up.w);
-    at.layer = 0.0;
-    at.reference = forward.w / w;
-    at.size = float(textureSize(shadowAtlas, 0).x);
-#if defined(SHADOW_SOFT)
+    float w = max(dot(forward.xyz, p), forward.w);  // behind a spot there is no light
     // 1 / w of a plane is linear in the tangents u, v of the view: w (u n.right + v n.up + n.forward) = n.p
-    float plane = max(distance * cosine, 0.1 * distance);
-    at.slope = vec2(dot(right.xyz, s.point.normal), dot(up.xyz, s.point.normal)) *
-               (-forward.w / (plane * more.z * more.z));
-    at.softness = more.w / forward.w * more.z;
+    float cosine = max(dot(s.facing.xyz, towardsLight), 1.0 / kSteepestTangent);
+    vec2 across = vec2(dot(right.xyz, s.facing.xyz), dot(up.xyz, s.facing.xyz)) / more.z;
+    ShadowLookup at;
+    at.size = float(textureSize(shadowAtlas, 0).x);
+    at.uv = vec2(dot(right.xyz, p), dot(up.xyz, p)) / w + vec2(right.w, up.w);
+    at.layer = 0.0;
+    at.slope = across * (-forward.w * more.y / (distance * cosine));
+    at.reference = forward.w / w * (1.0 + more.y * shadowSlack(sqrt(1.0 - cosine * cosine) / cosine, s.facing.w));
+#if defined(SHADOW_SOFT)
+    at.softness = more.w / (forward.w * more.y);
     at.limit = more.x;
 #endif
-    return filterShadow(shadowAtlas, at);
+    return filterShadow(shadowAtlas, at) * beforeTriangle(s.facing, towardsLight);
 }

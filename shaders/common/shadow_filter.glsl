@@ -1,39 +1,42 @@
 // The share of light that a shadow map lets through around a place of it: one source for the sun's cascades and for the
-// atlas of point and spot lights. Both are arrays of reversed depths, 1 nearest to the light.
+// atlas of point and spot lights. Both are arrays of reversed depths, 1 nearest to the light, read by gathers.
 //
 //     SHADOW_HARD   one bilinear comparison
 //     (neither)     a tent of 3x3 bilinear comparisons: 4x4 texels
-//     SHADOW_SOFT   penumbrae by the distance of what casts them; the map is bound to a sampler that does not compare
-#ifndef SHADOW_FILTER_GLSL
-#define SHADOW_FILTER_GLSL
-
-#if defined(SHADOW_SOFT)
-#define SHADOW_MAP sampler2DArray
-#else
-#define SHADOW_MAP sampler2DArrayShadow
-#endif
+//     SHADOW_SOFT   penumbrae by the distance of what casts them
+//
+// Each texel is compared with the depth that the surface's own plane has there, so that a surface does not shade itself
+// however wide the filter or grazing the light (Isidoro 2006, "Shadow Mapping: GPU-based Tips and Techniques"), and
+// nothing has to be moved by more than a fraction of a texel: shadows stay where they are.
 
 struct ShadowLookup {
     vec2 uv;
     float layer;
     float reference;  // depth of the surface
+    vec2 slope;       // of its plane's depth, per texel
     float size;       // of the map, texels a side
-    vec2 slope;       // of the surface's depth, per uv; for SHADOW_SOFT, as what follows
-    float softness;   // penumbra's radius in uv, per depth between what casts and the surface
-    float limit;      // of that radius, uv
+    float softness;   // SHADOW_SOFT: penumbra's radius in texels, per depth between what casts and the surface
+    float limit;      // SHADOW_SOFT: of that radius
 };
 
-#if defined(SHADOW_SOFT)
-
-// Bilinear; the surface's plane gives each texel the depth that it should have.
-float compareBilinear(SHADOW_MAP map, ShadowLookup at, vec2 offset) {
-    vec2 uv = at.uv + offset;
-    vec2 f = fract(uv * at.size - 0.5);
-    vec4 depths = textureGather(map, vec3(uv, at.layer));
-    vec4 lit = step(depths, vec4(at.reference + dot(at.slope, offset)));
-    vec4 weights = vec4((1.0 - f.x) * f.y, f.x * f.y, f.x * (1.0 - f.y), (1.0 - f.x) * (1.0 - f.y));
-    return dot(lit, weights);
+// 1 for each texel of the block of 2x2 whose lower left one is `corner` from the place's texel; order of textureGather:
+// (0,1) (1,1) (1,0) (0,0). `base`: depth of the plane at the place's texel.
+vec4 litTexels(sampler2DArray map, ShadowLookup at, vec2 texel, vec2 corner, float base) {
+    vec4 depths = textureGather(map, vec3((texel + corner + 1.0) / at.size, at.layer));
+    float low = base + dot(at.slope, corner);
+    vec4 plane = low + at.slope.x * vec4(0.0, 1.0, 1.0, 0.0) + at.slope.y * vec4(1.0, 1.0, 0.0, 0.0);
+    return step(depths, plane);
 }
+
+float compareBilinear(sampler2DArray map, ShadowLookup at, vec2 offset) {
+    vec2 place = at.uv * at.size - 0.5;
+    vec2 texel = floor(place + offset), f = place + offset - texel;
+    vec4 lit = litTexels(map, at, texel, vec2(0.0), at.reference + dot(at.slope, texel - place));
+    vec2 rows = mix(lit.wx, lit.zy, f.x);
+    return mix(rows.x, rows.y, f.y);
+}
+
+#if defined(SHADOW_SOFT)
 
 // Point i of n on the unit disk, evenly spread (Vogel 1979, "A better way to construct the sunflower head").
 vec2 diskPoint(int i, float n, float turn) {
@@ -42,16 +45,16 @@ vec2 diskPoint(int i, float n, float turn) {
 }
 
 // Fernando 2005, "Percentage-Closer Soft Shadows": first how far away what casts is, then as wide a filter.
-float filterShadow(SHADOW_MAP map, ShadowLookup at) {
+float filterShadow(sampler2DArray map, ShadowLookup at) {
     // Jimenez 2014, "Next Generation Post Processing in Call of Duty": interleaved gradient noise
     float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-    float least = 1.5 / at.size;
+    const float least = 1.5;
     float reach = clamp((1.0 - at.reference) * at.softness, least, at.limit);
     float sum = 0.0, count = 0.0;
     for (int i = 0; i < 8; ++i) {
         vec2 offset = diskPoint(i, 8.0, turn) * reach;
-        vec4 depths = textureGather(map, vec3(at.uv + offset, at.layer));
-        vec4 casts = vec4(1.0) - step(depths, vec4(at.reference + dot(at.slope, offset)));
+        vec4 depths = textureGather(map, vec3(at.uv + offset / at.size, at.layer));
+        vec4 casts = vec4(1.0) - step(depths, vec4(at.reference + dot(at.slope, offset) + 0.5 * (abs(at.slope.x) + abs(at.slope.y))));
         sum += dot(depths, casts);
         count += dot(casts, vec4(1.0));
     }
@@ -64,28 +67,22 @@ float filterShadow(SHADOW_MAP map, ShadowLookup at) {
 
 #elif defined(SHADOW_HARD)
 
-float filterShadow(SHADOW_MAP map, ShadowLookup at) {
-    vec2 f = fract(at.uv * at.size - 0.5);
-    vec4 lit = textureGather(map, vec3(at.uv, at.layer), at.reference);
-    vec2 rows = mix(lit.wx, lit.zy, f.x);
-    return mix(rows.x, rows.y, f.y);
+float filterShadow(sampler2DArray map, ShadowLookup at) {
+    return compareBilinear(map, at, vec2(0.0));
 }
 
 #else
 
 // Four gathers; the weights of 4x4 texels.
-float filterShadow(SHADOW_MAP map, ShadowLookup at) {
-    float texelSize = 1.0 / at.size;
-    vec2 texel = at.uv * at.size - 0.5;
-    vec2 base = floor(texel);
-    vec2 f = texel - base;
-    vec2 corner = base * texelSize;
-    float two = 2.0 * texelSize;
-    // Gathers of the 2x2 blocks whose lower left texels are base + (-1|1, -1|1); order: (0,1) (1,1) (1,0) (0,0).
-    vec4 g00 = textureGather(map, vec3(corner, at.layer), at.reference);
-    vec4 g10 = textureGather(map, vec3(corner + vec2(two, 0.0), at.layer), at.reference);
-    vec4 g01 = textureGather(map, vec3(corner + vec2(0.0, two), at.layer), at.reference);
-    vec4 g11 = textureGather(map, vec3(corner + vec2(two, two), at.layer), at.reference);
+float filterShadow(sampler2DArray map, ShadowLookup at) {
+    vec2 place = at.uv * at.size - 0.5;
+    vec2 texel = floor(place);
+    vec2 f = place - texel;
+    float base = at.reference - dot(at.slope, f);
+    vec4 g00 = litTexels(map, at, texel, vec2(-1.0, -1.0), base);
+    vec4 g10 = litTexels(map, at, texel, vec2(1.0, -1.0), base);
+    vec4 g01 = litTexels(map, at, texel, vec2(-1.0, 1.0), base);
+    vec4 g11 = litTexels(map, at, texel, vec2(1.0, 1.0), base);
     vec4 wx = vec4(1.0 - f.x, 1.0, 1.0, f.x) * (1.0 / 3.0);
     vec4 wy = vec4(1.0 - f.y, 1.0, 1.0, f.y) * (1.0 / 3.0);
     float row0 = dot(wx, vec4(g00.w, g00.z, g10.w, g10.z));
@@ -97,10 +94,14 @@ float filterShadow(SHADOW_MAP map, ShadowLookup at) {
 
 #endif
 
-// Receivers step off their surface by about the filter's radius, the more the steeper the light grazes (Holbert, "Saying
-// Goodbye to Shadow Acne", GDC 2011). In texels.
-float shadowOffset(float cosine) {
-    return 0.6 + 1.8 * sqrt(max(1.0 - cosine * cosine, 0.0));
+// What the plane is moved towards the light, in texels of the map: for casters of coarser levels of detail, and for what
+// is lost of the plane's steepness.
+float shadowSlack(float tangent, float guessed) {
+    return (0.6 + 1.5 * guessed) + ((0.15 + guessed) + 0.02 * tangent) * tangent;
 }
-
-#endif
+// No light comes from behind a triangle, whatever the shading normal says; softly, as a curve's triangles are many.
+float beforeTriangle(vec4 facing, vec3 towardsLight) {
+    return clamp(0.9 + 8.0 * dot(facing.xyz, towardsLight) + facing.w, 0.0, 1.0);
+}
+// The plane's steepest tangent against the light that is followed.
+const float kSteepestTangent = 20.0;

@@ -1,7 +1,5 @@
 // The share of the sun that reaches a point, from the cascades.
-#include "common/shadow_filter.glsl"
-
-layout(binding = RL_TEXTURE_SHADOW) uniform SHADOW_MAP shadowMap;
+layout(binding = RL_TEXTURE_SHADOW) uniform sampler2DArray shadowMap;
 
 // Texels at a cascade's rim that its filter may read beyond the point.
 #if defined(SHADOW_SOFT)
@@ -11,19 +9,20 @@ layout(binding = RL_TEXTURE_SHADOW) uniform SHADOW_MAP shadowMap;
 #endif
 
 float cascadeVisibility(LitSurface s, vec3 towardsLight, vec4 cascade, float layer) {
-    float cosine = clamp(dot(s.point.normal, towardsLight), 0.0, 1.0);
-    vec4 q = vec4(s.position + s.point.normal * (cascade.w * shadowOffset(cosine)), 1.0);
+    vec4 p = vec4(s.position, 1.0);
+    float cosine = max(dot(s.facing.xyz, towardsLight), 1.0 / kSteepestTangent);
+    // The surface's plane: a metre along x its depth falls by n.x / n.l metres, and so for y.
+    vec2 tangents = vec2(dot(L_SHADOW_ROW(0).xyz, s.facing.xyz), dot(L_SHADOW_ROW(1).xyz, s.facing.xyz)) / cosine;
+    float depthPerTexel = L_SHADOW_SETTINGS.x * cascade.w;
     ShadowLookup at;
-    at.uv = vec2(dot(L_SHADOW_ROW(0), q), dot(L_SHADOW_ROW(1), q)) * cascade.x + cascade.yz;
+    at.uv = vec2(dot(L_SHADOW_ROW(0), p), dot(L_SHADOW_ROW(1), p)) * cascade.x + cascade.yz;
     at.layer = layer;
-    at.reference = min(dot(L_SHADOW_ROW(2), q), 1.0);
+    at.slope = tangents * -depthPerTexel;
+    at.reference = min(dot(L_SHADOW_ROW(2), p) + depthPerTexel * shadowSlack(length(tangents), s.facing.w), 1.0);
     at.size = L_SHADOW_SETTINGS.y;
 #if defined(SHADOW_SOFT)
-    // The surface's plane: along x the depth falls by n.x / n.l, and so for y.
-    vec2 tangents = vec2(dot(L_SHADOW_ROW(0).xyz, s.point.normal), dot(L_SHADOW_ROW(1).xyz, s.point.normal));
-    at.slope = -tangents / max(cosine, 0.1) * (L_SHADOW_SOFTNESS.y / cascade.x);
-    at.softness = L_SHADOW_SOFTNESS.x * cascade.x;
-    at.limit = (float(RL_SHADOW_RIM_SOFT) - 2.0) * L_SHADOW_SETTINGS.z;
+    at.softness = L_SHADOW_SOFTNESS.x / cascade.w;
+    at.limit = float(RL_SHADOW_RIM_SOFT) - 2.0;
 #endif
     return filterShadow(shadowMap, at);
 }
@@ -68,5 +67,5 @@ float sunVisibility(LitSurface s, vec3 towardsLight) {
     vec4 last = L_SHADOW_CASCADE(SHADOW_CASCADES - 1);
     vec2 outside = abs(metres * last.x + last.yz - 0.5);
     float fade = (0.5 - max(outside.x, outside.y)) * L_SHADOW_SETTINGS.w;
-    return mix(1.0, lit, clamp(fade, 0.0, 1.0));
+    return mix(1.0, lit, clamp(fade, 0.0, 1.0)) * beforeTriangle(s.facing, towardsLight);
 }

@@ -45,8 +45,8 @@ struct LightingUniforms {
     vec4 clusterCounts;  // x, y, z: froxels along each axis
     vec4 shadowRows[3];  // relative position to light space: xy metres, z in [0, 1], 1 nearest to the light
     vec4 shadowCascades[RL_MAX_CASCADES];  // x: uv per metre, yz: uv offset, w: metres per texel
-    vec4 shadowSettings;                   // x: cascades, y: texels of one, z: 1 / y, w: 1 / uv over which the last fades out
-    vec4 shadowSoftness;  // x: metres of penumbra per depth between caster and surface, y: depth per metre
+    vec4 shadowSettings;                   // x: depth per metre, y: texels of one, z: 1 / y, w: 1 / uv over which the last fades out
+    vec4 shadowSoftness;  // x: metres of penumbra per depth between caster and surface
     vec4 directionalDirections[RL_MAX_DIRECTIONAL_LIGHTS];    // xyz: towards the light
     vec4 directionalIlluminances[RL_MAX_DIRECTIONAL_LIGHTS];  // rgb: lux
     vec4 environment;     // x, y: cosine and sine of its rotation, z: intensity, w: last mip of the prefiltered cube

@@ -1,5 +1,6 @@
 # Shadows in pictures: against rays, and from frame to frame.
 add_executable(shadows_gl_test
+  shadow_stability_gl_test.cpp
   shadow_truth_gl_test.cpp
   ../support/shadow_truth.cpp
   ../support/torture_scene.cpp)
