@@ -8,7 +8,7 @@ namespace rushlight {
 enum class ToneMap : uint8_t { none, neutral, agx, aces };
 enum class AntiAliasing : uint8_t { off, fxaa };
 
-/// How finely the surroundings of a pixel are searched for what hides the ambient light: 8, 16 or 48 places.
+/// How finely the surroundings of a pixel are searched for what hides the ambient light: 8, 12 or 48 places.
 enum class AmbientOcclusion : uint8_t { off, low, medium, high };
 
 /// What the last pass shows instead of the frame, for looking into it. In the deck's order.
