@@ -13,7 +13,7 @@ enum class ShadowFilter : uint8_t {
     soft,  ///< penumbrae that grow with the distance from what casts them, by the size of the light
 };
 
-/// How finely the surroundings of a pixel are searched for what hides the ambient light: 8, 16 or 48 places.
+/// How finely the surroundings of a pixel are searched for what hides the ambient light: 8, 12 or 48 places.
 enum class AmbientOcclusion : uint8_t { off, low, medium, high };
 
 /// What the last pass shows instead of the frame, for looking into it. In the deck's order.

@@ -11,7 +11,7 @@ namespace {
 // By AmbientOcclusion: low, medium, high. A slice looks to two sides, so many steps each.
 constexpr std::array<std::string_view, 3> kSlices = {"OCCLUSION_SLICES 2", "OCCLUSION_SLICES 2",
                                                      "OCCLUSION_SLICES 4"};
-constexpr std::array<std::string_view, 3> kSteps = {"OCCLUSION_STEPS 2", "OCCLUSION_STEPS 4",
+constexpr std::array<std::string_view, 3> kSteps = {"OCCLUSION_STEPS 2", "OCCLUSION_STEPS 3",
                                                     "OCCLUSION_STEPS 6"};
 // Occluders lose weight from this share of the radius on, so that none pops in or out. What is found is then what rays
 // find that count a hit fully up to 0.4 of the radius, and from there less with the square of its distance: one horizon

@@ -82,6 +82,16 @@ void comboToneMap(FrameSettings& settings) {
         settings.toneMap = ToneMap(current);
 }
 
+void comboAmbientOcclusion(FrameSettings& settings) {
+    constexpr const char* kNames[] = {"off", "low", "medium", "high"};
+    int current = int(settings.ambientOcclusion);
+    if (ImGui::Combo("ambient occlusion", &current, kNames, IM_ARRAYSIZE(kNames)))
+        settings.ambientOcclusion = AmbientOcclusion(current);
+    if (settings.ambientOcclusion != AmbientOcclusion::off)
+        ImGui::SliderFloat("its radius (m)", &settings.ambientOcclusionRadius, 0.05f, 10, "%.2f",
+                           ImGuiSliderFlags_Logarithmic);
+}
+
 void editExposure(FrameSettings& settings) {
     ImGui::Checkbox("automatic exposure", &settings.autoExposure);
     if (settings.autoExposure) return;
@@ -128,6 +138,8 @@ void drawSettings(ViewerSettings& settings, CameraRig& camera) {
         if (ImGui::SliderInt("cascades", &cascades, 1, 4))
             frame.shadowCascades = uint32_t(cascades);
         ImGui::Checkbox("cache still shadows", &frame.shadowCaching);
+        comboAmbientOcclusion(frame);
+        ImGui::Checkbox("reflections of the screen", &frame.reflections);
         ImGui::Checkbox("bloom", &frame.bloom);
         ImGui::SliderFloat("bloom strength", &frame.bloomStrength, 0, 0.5f, "%.3f");
         bool fxaa = frame.antiAliasing == AntiAliasing::fxaa;

@@ -24,7 +24,7 @@ RL_CONST float kHalfPi = 1.57079632679489662f;
 RL_INLINE float arcCosine(float x) {
     float a = abs(x);
     float r = sqrt(max(1.0f - a, 0.0f)) *
-              (kHalfPi + a * (-0.2121144f + a * (0.0742610f - a * 0.0187293f)));
+              (1.5707288f + a * (-0.2121144f + a * (0.0742610f - a * 0.0187293f)));
     return x < 0.0f ? 2.0f * kHalfPi - r : r;
 }
 

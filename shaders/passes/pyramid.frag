@@ -21,7 +21,8 @@ void main() {
     int level = 1;
     for (int i = 2; i < PYRAMID_LEVELS; ++i) level = texel.y >= pyramidOrigin(i).y ? i : level;
     ivec2 first = (texel - pyramidOrigin(level)) << level;
-    int half_ = 1 << (level - 1);
+    bool used = first.x < size.x && first.y < size.y;
+    int half_ = used ? 1 << (level - 1) : 0;
     vec3 sum = vec3(0.0);
     float most = 0.0;
     for (int y = 0; y < half_; ++y)
@@ -34,6 +35,6 @@ void main() {
                                  max(texelFetch(baseNearest, ivec2(low.x, high.y), 0).x,
                                      texelFetch(baseNearest, ivec2(high.x, low.y), 0).x)));
         }
-    radiance = vec4(sum / float(half_ * half_), 1.0);
+    radiance = vec4(sum / float(max(half_ * half_, 1)), 1.0);
     nearest = most;
 }

@@ -1,5 +1,6 @@
 // The structs of shaders/interop as the driver lays them out and as C++ does: the same bytes.
 #include "interop/frame_uniforms.h"
+#include "interop/screen_uniforms.h"
 #include "interop/uniforms.h"
 #include "renderer/backend/gl/gl_shader_library.h"
 #include "tests/support/test_context.h"
@@ -14,6 +15,7 @@ namespace {
 
 using interop::LightingUniforms;
 using interop::PassUniforms;
+using interop::ScreenUniforms;
 using interop::ViewUniforms;
 
 template <class F>
@@ -38,7 +40,10 @@ protected:
         const std::string text =
             included->text + "\nlayout(std140, binding = 0) uniform Block { " + type +
             " data; };\nlayout(location = 0) out vec4 result;\nvoid main() { result = data." +
-            (type == "ViewUniforms" ? "cameraForward" : type == "PassUniforms" ? "counts" : "background") +
+            (type == "ViewUniforms"     ? "cameraForward"
+             : type == "PassUniforms"   ? "counts"
+             : type == "ScreenUniforms" ? "settings"
+                                        : "background") +
             "; }\n";
         const char* source = text.c_str();
         const GLuint program = load<PFNGLCREATESHADERPROGRAMVPROC>("glCreateShaderProgramv")(
@@ -96,6 +101,18 @@ TEST_F(InteropGl, PassUniforms) {
     EXPECT_SAME_OFFSET(block, PassUniforms, sourceTexel, "");
     EXPECT_SAME_OFFSET(block, PassUniforms, settings, "");
     EXPECT_SAME_OFFSET(block, PassUniforms, counts, "");
+}
+
+TEST_F(InteropGl, ScreenUniforms) {
+    const Block block = layoutOf("interop/screen_uniforms.h", "ScreenUniforms");
+    EXPECT_EQ(block.size, GLint(sizeof(ScreenUniforms)));
+    EXPECT_SAME_OFFSET(block, ScreenUniforms, viewFromTexel, "");
+    EXPECT_SAME_OFFSET(block, ScreenUniforms, depthDecode, "");
+    EXPECT_SAME_OFFSET(block, ScreenUniforms, size, "");
+    EXPECT_SAME_OFFSET(block, ScreenUniforms, right, "");
+    EXPECT_SAME_OFFSET(block, ScreenUniforms, up, "");
+    EXPECT_SAME_OFFSET(block, ScreenUniforms, back, "");
+    EXPECT_SAME_OFFSET(block, ScreenUniforms, settings, "");
 }
 
 TEST_F(InteropGl, LightingUniforms) {

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -307,6 +308,14 @@ TEST_F(PostGlTest, EveryDebugViewCompilesAndShowsTheGBuffer) {
         in.depthDecode = {10, 0};  // view depth 0.1 / 0.01 = 10 m
         in.target = target();
         in.data = &commands_;
+        if (show == ShownImage::ambientOcclusion) {  // halfway open; the depth's bits are 0.01's
+            const float half = std::bit_cast<float>(
+                (std::bit_cast<uint32_t>(0.01f) & ~1023u) | 512u);
+            const std::vector<vec4> texels(kWidth / 2 * kHeight / 2, vec4(0, 0, 0, half));
+            in.ambientOcclusion = plan_->importImage(
+                {"occlusion", Format::rgba32f, kWidth / 2, kHeight / 2},
+                upload(Format::rgba32f, kWidth / 2, kHeight / 2, texels));
+        }
         if (show == ShownImage::clusters) {
             const uint32_t counts[] = {32};
             in.clusters = commands_.append(std::span<const uint32_t>(counts));
@@ -323,6 +332,7 @@ TEST_F(PostGlTest, EveryDebugViewCompilesAndShowsTheGBuffer) {
             case ShownImage::metallic: expected = 64; break;
             case ShownImage::depth: expected = 255.0f / 3; break;  // 10 m leave a third of 0.1 to 100
             case ShownImage::shadow: expected = 0; break;          // there is none
+            case ShownImage::ambientOcclusion: expected = 255.0f * 512 / 1023; break;
             case ShownImage::clusters: expected = 255; break;      // 32 lights are white
             default: break;
         }
