@@ -41,7 +41,7 @@ struct IrradianceProbe {
 /// As the GPU reads it; the layout is drawn in shaders/interop/irradiance_volume.h. Immutable once made.
 struct IrradianceVolume {
     ProbeGrid grid;
-    uint64_t lightHash = 0;           ///< of what it was baked under: hashOf(BakeLighting)
+    uint64_t lightHash = 0;  ///< of what it was baked under: hashOf(BakeLighting); 0: of no one light
     std::vector<uvec4> records;       ///< two a probe
     std::vector<uint32_t> distances;  ///< kProbeDistances a probe: mean and standard deviation as halves
 

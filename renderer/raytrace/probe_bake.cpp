@@ -187,6 +187,10 @@ Result<void> ProbeUpdater::update(const BakeLighting& lighting, uint32_t count, 
             volume_.setProbe(i, now);
         }
     });
+    const uint64_t hash = hashOf(lighting);
+    updatedSince_ = hash == lightHash_ && share == 1 ? updatedSince_ + count : count;
+    lightHash_ = hash;
+    volume_.lightHash = updatedSince_ >= all && share == 1 ? hash : 0;
     next_ += count;
     if (next_ >= all) {
         next_ -= all;

@@ -46,6 +46,8 @@ private:
     BrdfTable table_;
     IrradianceVolume volume_;
     uint32_t next_ = 0;
+    uint64_t lightHash_ = 0;  ///< of the last update
+    uint64_t updatedSince_ = 0;  ///< probes, under that light
     uint64_t rounds_ = 0;
 };
 

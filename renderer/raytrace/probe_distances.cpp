@@ -43,13 +43,26 @@ Surroundings lookAround(const RayScene& scene, const vec3& position) {
     return s;
 }
 
-}  // namespace
+/// The open place nearest to home of a few in the cell around it; none is open: where it was.
+ProbePlace searchCell(const RayScene& scene, const vec3& home, const vec3& most, ProbePlace place) {
+    constexpr int kSteps = 2;  // to each side of each axis
+    float nearest = std::numeric_limits<float>::infinity();
+    for (int z = -kSteps; z <= kSteps; ++z)
+        for (int y = -kSteps; y <= kSteps; ++y)
+            for (int x = -kSteps; x <= kSteps; ++x) {
+                const vec3 offset = most * vec3(x, y, z) / float(kSteps);
+                const float distance = glm::length(offset);
+                if (distance >= nearest || lookAround(scene, home + offset).backs > kMostBacks)
+                    continue;
+                nearest = distance;
+                place = {offset, true};
+            }
+    return place;
+}
 
-ProbePlace findProbePlace(const RayScene& scene, const ProbeGrid& grid, uint32_t probe) {
-    const vec3 home = grid.position(probe);
-    const float clearance = kClearance * grid.smallestSpacing();
-    const vec3 most = kMostOffset * grid.spacing;
-    ProbePlace place;
+/// Out of what the probe is in, and off what it is close to.
+ProbePlace stepOut(const RayScene& scene, const vec3& home, const vec3& most, float clearance,
+                   ProbePlace place) {
     for (uint32_t step = 0;; ++step) {
         const Surroundings s = lookAround(scene, home + place.offset);
         place.open = s.backs <= kMostBacks;
@@ -65,6 +78,18 @@ ProbePlace findProbePlace(const RayScene& scene, const ProbeGrid& grid, uint32_t
         if (moved == place.offset) return place;
         place.offset = moved;
     }
+}
+
+}  // namespace
+
+ProbePlace findProbePlace(const RayScene& scene, const ProbeGrid& grid, uint32_t probe) {
+    const vec3 home = grid.position(probe);
+    const float clearance = kClearance * grid.smallestSpacing();
+    const vec3 most = kMostOffset * grid.spacing;
+    ProbePlace place = stepOut(scene, home, most, clearance, {});
+    if (place.open) return place;
+    place = searchCell(scene, home, most, place);
+    return place.open ? stepOut(scene, home, most, clearance, place) : place;
 }
 
 void measureDistances(const RayScene& scene, IrradianceVolume& volume, uint32_t probe,

@@ -14,7 +14,8 @@ void localLight(vec2 pixel, float viewDepth, out vec3 tint, out vec3 flow) {
     vec4 t10 = texelFetch(localTintMap, ivec2(high.x, low.y), 0);
     vec4 t01 = texelFetch(localTintMap, ivec2(low.x, high.y), 0);
     vec4 t11 = texelFetch(localTintMap, high, 0);
-    vec4 apart = abs(vec4(t00.a, t10.a, t01.a, t11.a) / viewDepth - 1.0);
+    vec4 depths = vec4(t00.a, t10.a, t01.a, t11.a);
+    vec4 apart = abs(depths / viewDepth - 1.0) + vec4(equal(depths, vec4(0.0))) * 1e3;
     vec4 w = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
     w = (w + 1e-3) / (apart * apart + 1e-5);
     w *= 1.0 / (w.x + w.y + w.z + w.w);

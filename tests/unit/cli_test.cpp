@@ -32,7 +32,7 @@ void expectError(const std::string& arguments, int code) {
 }
 
 TEST(Cli, HelpWorksForEverySubcommand) {
-    for (const char* command : {"", "capture ", "compare ", "bench ", "info ", "doctor ", "replay "}) {
+    for (const char* command : {"", "bake ", "capture ", "compare ", "bench ", "info ", "doctor ", "replay "}) {
         const Ended result = run(std::string(command) + "--help");
         EXPECT_EQ(result.code, 0) << command;
         EXPECT_EQ(result.errors, "");

@@ -158,6 +158,31 @@ TEST(ProbeBake, APointLightCountsFromItsFirstBounce) {
     EXPECT_NEAR(mean, direct * rho / (1 - rho), 0.04f * direct * rho / (1 - rho));
 }
 
+// Of a plane without an end in the sun a ceiling gets E rho / pi, and nothing where a roof keeps the sun off.
+TEST(ProbeBake, ASunlitFloorLightsWhatLooksDownOnIt) {
+    for (const bool roofed : {false, true}) {
+        Scene scene;
+        scene.paint(0, vec3(0.5f));
+        scene.box({-200, -1, -200}, {200, 0, 200}, 0);
+        if (roofed) scene.box({-300, 20, -300}, {300, 21, 300}, 0);
+        DirectionalLight sun{.direction = {0.6f, -0.8f, 0}, .illuminance = vec3(10)};
+        BakeLighting lighting;
+        lighting.directional = {&sun, 1};
+        ProbeBakeDesc desc;
+        desc.spacing = 1;
+        desc.samples = 1024;
+        desc.bounds = {vec3(-1, 0, -1), vec3(1, 2, 1)};
+        const IrradianceVolume volume = scene.bake(lighting, desc);
+        SerialJobs jobs;
+        const vec2 split = makeBrdfTable(jobs).lookUp(0.7f, 1);
+        const interop::EnvironmentWeights w =
+            interop::environmentWeights(vec3(0.5f), vec3(interop::kDielectricF0), split);
+        const float expected = roofed ? 0 : 10 * 0.8f * (w.diffuse.x + w.specular.x) / kPi;
+        EXPECT_NEAR(sampleIrradiance(volume, vec3(0, 1, 0), vec3(0, -1, 0)).x, expected,
+                    0.05f * expected + 1e-6f);
+    }
+}
+
 TEST(ProbeBake, AThinWallKeepsTheLightOfTheNextRoomOut) {
     Scene scene;
     scene.paint(0, vec3(0.5f));
