@@ -24,7 +24,7 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
                                                      const FrameOutput& output) {
     const Lighting& lighting = input.lighting;
     clusters_.build(camera, output.target.width, output.target.height,
-                    {lighting.punctual, {}});
+                    {lighting.punctual, {}, {}}, jobs_);
     const GpuEnvironment* environment = environments.find(lighting.environment);
 
     LightingBindings b;

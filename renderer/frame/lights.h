@@ -23,11 +23,30 @@ struct PunctualLight {
     float radius = 0;           ///< metres, of the source, for soft shadows; 0: a point
 };
 
+enum class AreaShape : uint8_t { rectangle, disk, sphere, tube };
+
+/// A surface of the same luminance everywhere and in all directions. It lights surfaces and is not itself drawn: give what
+/// stands for it an emissive material. Its power is pi * luminance * area lumens a side.
+struct AreaLight {
+    AreaShape shape = AreaShape::rectangle;
+    vec3 position{0};      ///< of its middle
+    /// Metres from the middle: to two neighbouring sides of a rectangle, or along two half axes of a disk, at right angles to
+    /// each other. The front looks along cross(halfX, halfY). A tube reaches from -halfX to +halfX.
+    vec3 halfX{0.5f, 0, 0};
+    vec3 halfY{0, 0.5f, 0};
+    float radius = 0.1f;   ///< metres, of a sphere or a tube
+    vec3 luminance{1000};  ///< candela per square metre times colour
+    bool twoSided = false; ///< a rectangle or disk that shines backwards too
+    /// Metres from the middle beyond which it lights nothing, with the window of KHR_lights_punctual; 0: unbounded.
+    float range = 0;
+};
+
 enum class Background : uint8_t { color, environment, transparent };
 
 struct Lighting {
     std::span<const DirectionalLight> directional;  ///< at most kMaxDirectionalLights; the first that casts has shadows
     std::span<const PunctualLight> punctual;        ///< at most kMaxPunctualLights
+    std::span<const AreaLight> area;                ///< at most kMaxAreaLights
     EnvironmentHandle environment;                  ///< zero: the hemisphere ambient below
     float environmentRotation = 0;                  ///< radians about +y
     float environmentIntensity = 1;
@@ -39,5 +58,6 @@ struct Lighting {
 
 inline constexpr uint32_t kMaxDirectionalLights = 4;
 inline constexpr uint32_t kMaxPunctualLights = 4096;
+inline constexpr uint32_t kMaxAreaLights = 1024;
 
 }  // namespace rushlight

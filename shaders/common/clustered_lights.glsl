@@ -13,7 +13,7 @@ layout(binding = RL_TEXTURE_LIGHT_INDICES) uniform usamplerBuffer lightIndexTexe
 int clusterAt(vec2 pixel, float viewDepth) {
     float slice = floor(log2(max(viewDepth, 1e-6)) * L_CLUSTER_MAPPING.x + L_CLUSTER_MAPPING.y);
     slice = clamp(slice, 0.0, L_CLUSTER_COUNTS.z - 1.0);
-    vec2 tile = floor(pixel * (1.0 / float(RL_CLUSTER_PIXELS)));
+    vec2 tile = floor(pixel * L_CLUSTER_COUNTS.w);
     return int(slice * L_CLUSTER_MAPPING.w + tile.y * L_CLUSTER_MAPPING.z + tile.x);
 }
 

@@ -8,8 +8,6 @@ RL_INTEROP_BEGIN
 
 #define RL_MAX_CASCADES 4
 #define RL_MAX_DIRECTIONAL_LIGHTS 4
-// A froxel is a square of pixels of this side, times a slice of depth.
-#define RL_CLUSTER_PIXELS 64
 
 // RL_UNIFORMS_VIEW, for passes that draw geometry: the camera's, or a cascade's.
 struct ViewUniforms {
@@ -29,7 +27,7 @@ struct LightingUniforms {
     vec4 viewDirection;  // xyz: where an orthographic camera looks
     // slice = log2(viewDepth) * x + y; z: tiles in a row, w: tiles in a slice
     vec4 clusterMapping;
-    vec4 clusterCounts;  // x, y, z: froxels along each axis
+    vec4 clusterCounts;  // x, y, z: froxels along each axis; w: 1 / pixels along a tile's side
     vec4 shadowRows[3];  // relative position to light space: xy metres, z in [0, 1], 1 nearest to the light
     vec4 shadowCascades[RL_MAX_CASCADES];  // x: uv per metre, yz: uv offset, w: metres per texel
     vec4 shadowSettings;                   // x: cascades, y: texels of one, z: 1 / y
