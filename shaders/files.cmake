@@ -1,6 +1,7 @@
 # Every shader file that is compiled in, by its name in the shader library. One a line.
 set(RUSHLIGHT_SHADER_FILES
   common/ambient.glsl
+  common/area_lights.glsl
   common/clustered_lights.glsl
   common/fullscreen.glsl
   common/fullscreen.vert
@@ -17,6 +18,7 @@ set(RUSHLIGHT_SHADER_FILES
   interop/encode.h
   interop/frame_uniforms.h
   interop/interop.h
+  interop/ltc.h
   interop/surface_flags.h
   interop/tonemap.h
   interop/uniforms.h

@@ -48,6 +48,7 @@ void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) con
     if (clusteredLights()) defines.push_back("CLUSTERED_LIGHTS");
     if (plainLights) defines.push_back("PLAIN_LIGHTS");
     if (modulatedLights) defines.push_back("MODULATED_LIGHTS");
+    if (areaLights) defines.push_back("AREA_LIGHTS");
     if (environment) defines.push_back("ENVIRONMENT");
     else if (hemisphere) defines.push_back("HEMISPHERE");
     if (orthographic) defines.push_back("ORTHOGRAPHIC");
@@ -66,8 +67,10 @@ void LightingBindings::record(PassContext& context) const {
     if (features.environment) {
         commands.push(BindTexture{RL_TEXTURE_ENVIRONMENT, environment, cubeSampler});
         commands.push(BindTexture{RL_TEXTURE_IRRADIANCE, irradiance, cubeSampler});
-        commands.push(BindTexture{RL_TEXTURE_BRDF_TABLE, brdfTable, linearSampler});
     }
+    if (features.areaLights)
+        commands.push(BindTexture{RL_TEXTURE_LTC, ltcTable, linearSampler});
+    commands.push(BindTexture{RL_TEXTURE_BRDF_TABLE, brdfTable, linearSampler});
 }
 
 LightingPass::LightingPass(Device& device)

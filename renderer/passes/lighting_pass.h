@@ -20,7 +20,8 @@ struct LightingFeatures {
     bool hemisphere = false;
     bool orthographic = false;
 
-    bool clusteredLights() const { return plainLights || modulatedLights; }
+    bool areaLights = false;       ///< LightClass::area
+    bool clusteredLights() const { return plainLights || modulatedLights || areaLights; }
     bool operator==(const LightingFeatures&) const = default;
     /// The #defines; the texts are static.
     void appendDefines(std::vector<std::string_view>& defines) const;
@@ -38,6 +39,7 @@ struct LightingBindings {
     TextureHandle sky;          ///< sharp cube
     SamplerHandle cubeSampler;
     TextureHandle brdfTable;
+    TextureHandle ltcTable;  ///< where there are area lights
     SamplerHandle linearSampler;
 
     void record(PassContext& context) const;

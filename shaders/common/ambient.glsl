@@ -2,7 +2,6 @@
 #if defined(ENVIRONMENT)
 layout(binding = RL_TEXTURE_ENVIRONMENT) uniform samplerCube environmentMap;
 layout(binding = RL_TEXTURE_IRRADIANCE) uniform samplerCube irradianceMap;
-layout(binding = RL_TEXTURE_BRDF_TABLE) uniform sampler2D brdfTable;
 #endif
 
 vec3 ambientLight(LitSurface s) {
@@ -13,8 +12,7 @@ vec3 ambientLight(LitSurface s) {
     vec2 turn = L_ENVIRONMENT.xy;
     vec3 nt = vec3(turn.x * n.x - turn.y * n.z, n.y, turn.y * n.x + turn.x * n.z);
     vec3 rt = vec3(turn.x * r.x - turn.y * r.z, r.y, turn.y * r.x + turn.x * r.z);
-    vec2 table = textureLod(brdfTable, vec2(s.point.nDotV, clampRoughness(s.roughness)), 0.0).xy;
-    EnvironmentWeights w = environmentWeights(albedo, s.point.f0, table);
+    EnvironmentWeights w = environmentWeights(albedo, s.point.f0, s.table);
     vec3 specular =
         textureLod(environmentMap, rt, environmentLevel(s.roughness, L_ENVIRONMENT.w)).rgb;
     vec3 irradiance = textureLod(irradianceMap, nt, 0.0).rgb;

@@ -1,5 +1,8 @@
 // A point that is lit: what every light, shadow and ambient term of lighting.glsl takes.
+#include "interop/bindings.h"
 #include "interop/brdf.h"
+
+layout(binding = RL_TEXTURE_BRDF_TABLE) uniform sampler2D brdfTable;
 
 struct LitSurface {
     vec3 position;  // relative to the camera, world axes
@@ -8,6 +11,7 @@ struct LitSurface {
     float metallic;
     float roughness;
     float occlusion;
+    vec2 table;  // see specularAlbedo
     ShadingPoint point;
 };
 
@@ -20,6 +24,8 @@ LitSurface makeLitSurface(vec3 position, float viewDepth, vec3 view, vec3 normal
     s.metallic = metallic;
     s.roughness = roughness;
     s.occlusion = occlusion;
-    s.point = makeShadingPoint(baseColor, metallic, roughness, normal, view);
+    float nDotV = clamp(dot(normal, view), kMinNdotV, 1.0);
+    s.table = textureLod(brdfTable, vec2(nDotV, clampRoughness(roughness)), 0.0).xy;
+    s.point = makeShadingPoint(baseColor, metallic, roughness, normal, view, s.table);
     return s;
 }
