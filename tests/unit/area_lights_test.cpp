@@ -14,7 +14,7 @@ namespace {
 
 using namespace interop;
 
-constexpr uint32_t kSamples = 1 << 18;
+constexpr uint32_t kSamples = 1 << 16;
 
 /// A point of a light's surface, relative to the lit point, its unit normal, and the area it stands for.
 struct SurfacePoint {
