@@ -185,7 +185,7 @@ void LightClusters::chooseResolution(const CameraMatrices& camera, uint32_t widt
     const float radius = visible_.empty() ? float(height)
                                           : 0.5f * float(height) * sum / float(visible_.size());
     tilePixels = radius < kSmall ? 16 : radius < kMedium ? 32 : 64;
-    slices = radius < kSmall ? 64 : 32;
+    slices = 32;
     tilesX = (width + tilePixels - 1) / tilePixels;
     tilesY = (height + tilePixels - 1) / tilePixels;
 }
