@@ -9,6 +9,30 @@ namespace {
 
 constexpr uint32_t kMaxSide = 16384;
 
+Result<void> checkAreaLights(std::span<const AreaLight> lights) {
+    const auto wrong = [](size_t index, const char* what) {
+        return fail("area light " + std::to_string(index), what, ErrorKind::wrongUse);
+    };
+    if (lights.size() > kMaxAreaLights)
+        return fail("lighting", "there are " + std::to_string(lights.size()) +
+                                    " area lights; at most 1,024 are possible.",
+                    ErrorKind::wrongUse);
+    for (size_t i = 0; i < lights.size(); ++i) {
+        const AreaLight& light = lights[i];
+        const float x = glm::length(light.halfX), y = glm::length(light.halfY);
+        if (!std::isfinite(glm::length(light.position) + x + y + light.radius + light.range +
+                           glm::length(light.luminance)))
+            return wrong(i, "a part of it is not finite.");
+        const bool flat = light.shape == AreaShape::rectangle || light.shape == AreaShape::disk;
+        if (flat && !(glm::length(glm::cross(light.halfX, light.halfY)) > 1e-3f * x * y))
+            return wrong(i, "its half axes span no area; they must be at right angles to each other.");
+        if (!flat && !(light.radius > 0)) return wrong(i, "its radius is not above 0.");
+        if (light.shape == AreaShape::tube && !(x > 0)) return wrong(i, "its tube has no length.");
+        if (light.range < 0) return wrong(i, "its range is negative.");
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutput& output) const {
@@ -37,6 +61,7 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
                            glm::length(light.direction) + light.range + light.innerConeAngle +
                            light.outerConeAngle + light.radius + light.shadowNear))
             return wrong("lighting", "a point or spot light is not finite.");
+    if (auto ok = checkAreaLights(lighting.area); !ok) return ok;
     if (input.world && !worlds.find(input.world))
         return wrong("frame", "its world is a stale handle.");
     for (const auto& [name, value] :

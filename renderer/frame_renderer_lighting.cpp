@@ -9,7 +9,7 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
                                                      const FrameOutput& output) {
     const Lighting& lighting = input.lighting;
     clusters_.build(camera, output.target.width, output.target.height,
-                    {lighting.punctual, shadowLights_.records()});
+                    {lighting.punctual, shadowLights_.records(), lighting.area}, jobs_);
     const GpuEnvironment* environment = environments.find(lighting.environment);
 
     const GpuIrradianceVolume* volume = irradianceVolumes.find(lighting.irradianceVolume);
@@ -20,6 +20,7 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
     const auto& ofClass = clusters_.visibleOfClass;
     b.features.plainLights = ofClass[size_t(LightClass::plain)] > 0;
     b.features.modulatedLights = ofClass[size_t(LightClass::modulated)] > 0;
+    b.features.areaLights = ofClass[size_t(LightClass::area)] > 0;
     b.features.environment = environment != nullptr;
     b.features.hemisphere =
         lighting.ambientSky != vec3(0) || lighting.ambientGround != vec3(0);
@@ -48,9 +49,14 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
         b.environment = environment->specular;
         b.irradiance = environment->irradiance;
         b.sky = environment->background;
-        auto table = environments.brdfTable();
-        if (!table) return tl::unexpected(table.error());
-        b.brdfTable = *table;
+    }
+    auto table = environments.brdfTable();
+    if (!table) return tl::unexpected(table.error());
+    b.brdfTable = *table;
+    if (b.features.areaLights) {
+        auto ltc = environments.ltcTable();
+        if (!ltc) return tl::unexpected(ltc.error());
+        b.ltcTable = *ltc;
     }
     return b;
 }

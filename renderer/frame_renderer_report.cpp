@@ -33,7 +33,8 @@ void FrameRenderer::fillReport(const FrameInput& input) {
     r.culledOcclusion = counts_.culledOcclusion;
     r.culledFrustum =
         r.instances - r.rejected - r.visible - r.culledSmall - r.culledOcclusion;
-    r.lights = uint32_t(input.lighting.directional.size() + input.lighting.punctual.size());
+    const Lighting& l = input.lighting;
+    r.lights = uint32_t(l.directional.size() + l.punctual.size() + l.area.size());
     r.lightsVisible = uint32_t(input.lighting.directional.size()) + clusters_.visibleLights;
     r.shadowViewsDrawn = shadows_.drawn + uint32_t(shadowSchedule_.draws().size());
     r.shadowViewsCached = shadows_.cached + shadowSchedule_.cached();

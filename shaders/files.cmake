@@ -3,6 +3,7 @@ set(RUSHLIGHT_SHADER_FILES
   common/ambient.glsl
   common/ambient_occlusion.glsl
   common/ambient_specular.glsl
+  common/area_lights.glsl
   common/clustered_lights.glsl
   common/decals.glsl
   common/fog.glsl
@@ -31,6 +32,7 @@ set(RUSHLIGHT_SHADER_FILES
   interop/irradiance_volume.h
   interop/occlusion_arc.h
   interop/screen_uniforms.h
+  interop/ltc.h
   interop/surface_flags.h
   interop/tonemap.h
   interop/uniforms.h

@@ -44,8 +44,8 @@ void DecalClusters::build(const CameraMatrices& camera, uint32_t width, uint32_t
                           std::span<const Decal> all, const DecalStore& store) {
     width_ = width;
     height_ = height;
-    tilesX = (width + RL_CLUSTER_PIXELS - 1) / RL_CLUSTER_PIXELS;
-    tilesY = (height + RL_CLUSTER_PIXELS - 1) / RL_CLUSTER_PIXELS;
+    tilesX = (width + RL_DECAL_PIXELS - 1) / RL_DECAL_PIXELS;
+    tilesY = (height + RL_DECAL_PIXELS - 1) / RL_DECAL_PIXELS;
     decals.clear();
     boxes_.clear();
     references_.clear();
@@ -121,7 +121,7 @@ void DecalClusters::addReferences(const CameraMatrices& camera, uint32_t decal, 
                                uint32_t count, uint32_t& begin, uint32_t& end) {
             const float a = std::min(least / nearScale, least / farScale) / scale;
             const float b = std::max(most / nearScale, most / farScale) / scale;
-            const float perNdc = 0.5f * float(pixels) / RL_CLUSTER_PIXELS;
+            const float perNdc = 0.5f * float(pixels) / RL_DECAL_PIXELS;
             begin = uint32_t(std::clamp(std::floor((a + 1) * perNdc), 0.0f, float(count)));
             end = uint32_t(std::clamp(std::floor((b + 1) * perNdc) + 1, 0.0f, float(count)));
         };

@@ -1,6 +1,7 @@
 #include "renderer/frame/environment_store.h"
 
 #include "renderer/frame/brdf_table.h"
+#include "renderer/frame/ltc_table.h"
 #include "renderer/frame/environment_cache.h"
 
 #include "renderer/frame/cube_image.h"
@@ -39,6 +40,7 @@ EnvironmentStore::~EnvironmentStore() {
         destroyTextures(environment);
     });
     if (brdfTable_) device_.destroy(brdfTable_);
+    if (ltcTable_) device_.destroy(ltcTable_);
 }
 
 Result<EnvironmentHandle> EnvironmentStore::create(const EnvironmentDesc& desc) {
@@ -103,6 +105,19 @@ Result<TextureHandle> EnvironmentStore::brdfTable() {
     const std::vector<uint16_t> halves = table.halves();
     device_.write(*texture, {0, 0, 1, table.size, table.size}, std::as_bytes(std::span(halves)));
     return brdfTable_ = *texture;
+}
+
+Result<TextureHandle> EnvironmentStore::ltcTable() {
+    if (ltcTable_) return ltcTable_;
+    TextureDesc desc;
+    desc.label = "ltc-table";
+    desc.format = Format::rgba32f;
+    desc.width = desc.height = RL_LTC_TABLE_SIZE;
+    auto texture = device_.createTexture(desc);
+    if (!texture) return texture;
+    device_.write(*texture, {0, 0, 1, desc.width, desc.height},
+                  std::as_bytes(std::span(kLtcTable)));
+    return ltcTable_ = *texture;
 }
 
 }  // namespace rushlight

@@ -33,6 +33,8 @@ public:
     }
     /// RG16F; made when first asked for.
     Result<TextureHandle> brdfTable();
+    /// RGBA32F, the matrices of interop::applyLtc; made when first asked for.
+    Result<TextureHandle> ltcTable();
 
 private:
     Result<TextureHandle> uploadCube(const char* label, const CubeTexels&);
@@ -44,6 +46,7 @@ private:
     std::string cacheDirectory_;
     Pool<GpuEnvironment, EnvironmentTag> environments_;
     TextureHandle brdfTable_;
+    TextureHandle ltcTable_;
 };
 
 }  // namespace rushlight

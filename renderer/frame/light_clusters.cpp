@@ -29,119 +29,252 @@ GpuLight toGpu(const PunctualLight& light, const vec3& cameraPosition) {
     return gpu;
 }
 
-float squaredDistanceToInterval(float x, float low, float high) {
-    const float d = x < low ? low - x : x > high ? x - high : 0;
-    return d * d;
+/// As shaders/common/area_lights.glsl reads it.
+GpuAreaLight toGpu(const AreaLight& light, const vec3& cameraPosition) {
+    GpuAreaLight gpu;
+    gpu.position = light.position - cameraPosition;
+    gpu.inverseRangeSq = light.range > 0 ? 1 / (light.range * light.range) : 0;
+    gpu.luminance = light.luminance;
+    gpu.shape = float(light.shape);
+    gpu.halfX = light.halfX;
+    gpu.radius = light.radius;
+    gpu.halfY = light.halfY;
+    gpu.twoSided = light.twoSided ? 1 : 0;
+    return gpu;
+}
+
+/// How far a light without bounds reaches with `candela`.
+float reachOf(float candela) { return std::sqrt(std::max(candela, 0.0f) / kNegligibleLux); }
+
+float peak(const vec3& v) { return std::max({v.x, v.y, v.z, 0.0f}); }
+
+bool isFlat(const AreaLight& light) {
+    return light.shape == AreaShape::rectangle || light.shape == AreaShape::disk;
+}
+
+/// The largest area that it shows to any side.
+float shownArea(const AreaLight& light) {
+    const float sides = glm::length(light.halfX) * glm::length(light.halfY);
+    switch (light.shape) {
+        case AreaShape::rectangle: return 4 * sides;
+        case AreaShape::disk: return kPi * sides;
+        case AreaShape::sphere: return kPi * light.radius * light.radius;
+        case AreaShape::tube: break;
+    }
+    return light.radius * (4 * glm::length(light.halfX) + kPi * light.radius);
+}
+
+/// Of the middle to the farthest point.
+float extentOf(const AreaLight& light) {
+    switch (light.shape) {
+        case AreaShape::rectangle: return glm::length(light.halfX) + glm::length(light.halfY);
+        case AreaShape::disk: return std::max(glm::length(light.halfX), glm::length(light.halfY));
+        case AreaShape::sphere: return light.radius;
+        case AreaShape::tube: break;
+    }
+    return glm::length(light.halfX) + light.radius;
+}
+
+// Of a spot, the least sphere around the piece of the ball that its cone holds (Wronski, "Cull that cone", 2017).
+LightVolume volumeOf(const PunctualLight& light) {
+    LightVolume volume;
+    const float range = effectiveRange(light);
+    volume.center = volume.apex = light.position;
+    volume.radius = range;
+    const float angle = light.outerConeAngle, length = glm::length(light.direction);
+    if (angle < 0 || angle >= kPi / 2 || !(length > 0)) return volume;
+    volume.axis = light.direction / length;
+    volume.cosine = std::cos(angle);
+    const bool narrow = angle < kPi / 4;
+    const float ahead = narrow ? range / (2 * volume.cosine) : range * volume.cosine;
+    volume.center += volume.axis * ahead;
+    volume.radius = narrow ? ahead : range * std::sin(angle);
+    return volume;
+}
+
+// A one-sided light reaches what is before its plane: a cone of 90 degrees.
+LightVolume volumeOf(const AreaLight& light) {
+    LightVolume volume;
+    volume.center = volume.apex = light.position;
+    volume.radius = effectiveRange(light);
+    if (isFlat(light) && !light.twoSided) {
+        volume.axis = glm::normalize(glm::cross(light.halfX, light.halfY));
+        volume.cosine = 0;
+    }
+    return volume;
+}
+
+bool isVisible(const CameraMatrices& camera, const LightVolume& volume) {
+    for (const Plane& plane : camera.frustum.planes)
+        if (glm::dot(plane.normal, volume.center) + plane.offset < -volume.radius) return false;
+    return true;
 }
 
 }  // namespace
 
 float effectiveRange(const PunctualLight& light) {
+    return light.range > 0 ? light.range : reachOf(peak(light.intensity));
+}
+
+float effectiveRange(const AreaLight& light) {
     if (light.range > 0) return light.range;
-    const float peak = std::max({light.intensity.x, light.intensity.y, light.intensity.z, 0.0f});
-    return std::sqrt(peak / kNegligibleLux);
+    return reachOf(peak(light.luminance) * shownArea(light)) + extentOf(light);
 }
 
 void LightClusters::build(const CameraMatrices& camera, uint32_t width, uint32_t height,
-                          const ClusterInputs& inputs) {
-    width_ = width;
-    height_ = height;
-    tilesX = (width + RL_CLUSTER_PIXELS - 1) / RL_CLUSTER_PIXELS;
-    tilesY = (height + RL_CLUSTER_PIXELS - 1) / RL_CLUSTER_PIXELS;
+                          const ClusterInputs& inputs, JobSystem& jobs) {
     lights.clear();
     indices.clear();
-    references_.clear();
+    volumes_.clear();
+    droppedReferences = 0;
+    gather(camera, inputs);
+    recordWords = visibleOfClass[size_t(LightClass::plain)] == visibleLights ? 1 : 2;
+    chooseResolution(camera, width, height);
+    clusters.assign(size_t(tilesX) * tilesY * slices * recordWords, 0);
+    if (visible_.empty()) return;
+    chooseGrid(camera, width, height);
+    for (uint32_t c = 0; c < kLightClasses; ++c)
+        for (VisibleLight& light : visible_)
+            if (uint32_t(light.lightClass) == c) addLight(camera, inputs, light);
+    volumes_.finish();
+    writeLists(jobs);
+}
+
+void LightClusters::gather(const CameraMatrices& camera, const ClusterInputs& inputs) {
     visible_.clear();
     visibleOfClass = {};
-    visibleLights = 0;
-    droppedReferences = 0;
-
-    float nearest = std::numeric_limits<float>::max(), farthest = 0;
+    nearest_ = std::numeric_limits<float>::max();
+    farthest_ = 0;
     for (uint32_t i = 0; i < inputs.punctual.size(); ++i) {
-        const PunctualLight& light = inputs.punctual[i];
-        const float range = effectiveRange(light);
-        if (!intersects(camera.frustum, light.position, vec3(range))) continue;
-        const float depth = glm::dot(light.position - camera.position, camera.forward);
-        if (depth + range < camera.nearPlane) continue;
-        nearest = std::min(nearest, depth - range);
-        farthest = std::max(farthest, depth + range);
         const bool shadowed = !inputs.shadowRecords.empty() && inputs.shadowRecords[i] >= 0;
-        visible_.push_back({i, range, shadowed ? LightClass::modulated : LightClass::plain});
-        ++visibleOfClass[size_t(visible_.back().lightClass)];
+        addIfVisible(camera, i, shadowed ? LightClass::modulated : LightClass::plain,
+                     volumeOf(inputs.punctual[i]));
     }
+    for (uint32_t i = 0; i < inputs.area.size(); ++i)
+        addIfVisible(camera, i, LightClass::area, volumeOf(inputs.area[i]));
     visibleLights = uint32_t(visible_.size());
-    recordWords = visibleOfClass[size_t(LightClass::plain)] == visibleLights ? 1 : 2;
-    clusters.assign(size_t(tilesX) * tilesY * kSlices * recordWords, 0);
-    if (visible_.empty()) return;
-    chooseSlices(camera, nearest, farthest);
+}
 
-    for (uint32_t c = 0; c < kLightClasses; ++c)
-        for (const VisibleLight& light : visible_)
-            if (uint32_t(light.lightClass) == c) addLight(camera, inputs, light);
-    writeLists();
+void LightClusters::addIfVisible(const CameraMatrices& camera, uint32_t index,
+                                 LightClass lightClass, LightVolume volume) {
+    if (!isVisible(camera, volume)) return;
+    const auto toView = [&](const vec3& v) {
+        return vec3(glm::dot(v, camera.right), glm::dot(v, camera.up), glm::dot(v, camera.forward));
+    };
+    volume.center = toView(volume.center - camera.position);
+    volume.apex = toView(volume.apex - camera.position);
+    volume.axis = toView(volume.axis);
+    volume.lightClass = uint8_t(lightClass);
+    nearest_ = std::min(nearest_, volume.center.z - volume.radius);
+    farthest_ = std::max(farthest_, volume.center.z + volume.radius);
+    visible_.push_back({index, lightClass, volume});
+    ++visibleOfClass[size_t(lightClass)];
+}
+
+// Froxels about a third as wide as a light looks from side to side: smaller ones cost more to fill than they save in
+// shading. Measured with 64 to 4,096 lights on one level (tests/bench/lights_bench.cpp).
+void LightClusters::chooseResolution(const CameraMatrices& camera, uint32_t width,
+                                     uint32_t height) {
+    constexpr float kSmall = 40, kMedium = 160;
+    float sum = 0;
+    for (const VisibleLight& light : visible_) {
+        const float distance = std::max(glm::length(light.volume.center), light.volume.radius);
+        sum += camera.perspective ? light.volume.radius / (distance * camera.tanHalfY)
+                                  : light.volume.radius / camera.halfHeight;
+    }
+    const float radius = visible_.empty() ? float(height)
+                                          : 0.5f * float(height) * sum / float(visible_.size());
+    tilePixels = radius < kSmall ? 16 : radius < kMedium ? 32 : 64;
+    slices = 32;
+    tilesX = (width + tilePixels - 1) / tilePixels;
+    tilesY = (height + tilePixels - 1) / tilePixels;
 }
 
 // Slices span the lights alone; what is nearer or farther falls into the first or the last.
-void LightClusters::chooseSlices(const CameraMatrices& camera, float nearest, float farthest) {
-    nearest = std::max({nearest, camera.nearPlane, 0.01f});
-    farthest = std::max(farthest, nearest * 1.01f);
-    sliceScale = float(kSlices) / std::log2(farthest / nearest);
+void LightClusters::chooseGrid(const CameraMatrices& camera, uint32_t width, uint32_t height) {
+    const float nearest = std::max({nearest_, camera.nearPlane, 0.01f});
+    const float farthest = std::max(farthest_, nearest * 1.01f);
+    sliceScale = float(slices) / std::log2(farthest / nearest);
     sliceBias = -std::log2(nearest) * sliceScale;
-    sliceEdges_.resize(kSlices + 1);
-    for (uint32_t s = 0; s <= kSlices; ++s)
-        sliceEdges_[s] = nearest * std::pow(farthest / nearest, float(s) / kSlices);
-    sliceEdges_[0] = std::min(camera.nearPlane, 0.0f);  // an orthographic view may begin behind the eye
-    sliceEdges_[kSlices] = std::numeric_limits<float>::max();
+    grid_.perspective = camera.perspective;
+    grid_.tilesX = tilesX;
+    grid_.tilesY = tilesY;
+    grid_.slices = slices;
+    grid_.depths.resize(slices + 1);
+    for (uint32_t s = 0; s <= slices; ++s)
+        grid_.depths[s] = nearest * std::pow(farthest / nearest, float(s) / slices);
+    grid_.depths[0] = std::min(camera.nearPlane, nearest);  // an orthographic view may begin behind the eye
+    grid_.depths[slices] = std::numeric_limits<float>::max();
+    const float scaleX = camera.perspective ? camera.tanHalfX : camera.halfWidth;
+    const float scaleY = camera.perspective ? camera.tanHalfY : camera.halfHeight;
+    grid_.setTiles(scaleX, scaleY, 2 * float(tilePixels) * scaleX / float(width),
+                   2 * float(tilePixels) * scaleY / float(height));
 }
 
 void LightClusters::addLight(const CameraMatrices& camera, const ClusterInputs& inputs,
-                             const VisibleLight& light) {
+                             VisibleLight& light) {
+    light.volume.slot = uint16_t(lights.size());
+    volumes_.items.push_back(light.volume);
+    if (light.lightClass == LightClass::area) {
+        const auto slots = std::bit_cast<std::array<GpuLight, 2>>(
+            toGpu(inputs.area[light.index], camera.position));
+        lights.insert(lights.end(), slots.begin(), slots.end());
+        return;
+    }
     const PunctualLight& from = inputs.punctual[light.index];
-    const uint16_t slot = uint16_t(lights.size());
     lights.push_back(toGpu(from, camera.position));
-    const vec3 p = lights.back().position;
     if (light.lightClass == LightClass::modulated) {
         GpuLightModulation modulation;
         modulation.shadowRecord = float(inputs.shadowRecords[light.index]);
         modulation.radius = from.radius;
         lights.push_back(std::bit_cast<GpuLight>(modulation));
     }
-    const vec3 view(glm::dot(p, camera.right), glm::dot(p, camera.up), glm::dot(p, camera.forward));
-    addReferences(camera, light.lightClass, slot, view, light.range);
 }
 
-// A counting sort by froxel and class; within one, lights stay in order.
-void LightClusters::writeLists() {
-    const uint32_t froxels = tilesX * tilesY * kSlices;
-    lists_.assign(size_t(froxels) * kLightClasses, 0);
-    for (const Reference& r : references_)
-        if (lists_[r.list] < kMaxPerCluster) ++lists_[r.list];
-        else ++droppedReferences;
+// Two passes over bands of froxels, the same tests in both: the first counts, the second writes.
+void LightClusters::writeLists(JobSystem& jobs) {
+    constexpr uint32_t kRows = 12;
+    const uint32_t bandsInSlice = (tilesY + kRows - 1) / kRows;
+    const auto forBands = [&](auto&& work) {
+        jobs.forRanges(bandsInSlice * slices, 1, [&](uint32_t begin, uint32_t end) {
+            for (uint32_t band = begin; band < end; ++band) {
+                const uint32_t firstRow = band % bandsInSlice * kRows;
+                work(FroxelBand{band / bandsInSlice, firstRow,
+                                std::min(firstRow + kRows, tilesY)});
+            }
+        });
+    };
+    counts_.assign(size_t(tilesX) * tilesY * slices * listsOfFroxel(), 0);
+    forBands([&](const FroxelBand& band) { 
+        countLights(grid_, volumes_, band, listsOfFroxel(), counts_.data());
+    });
+    layOutLists();
+    forBands([&](const FroxelBand& band) {
+        writeLights(grid_, volumes_, band, listsOfFroxel(), next_.data(), counts_.data(),
+                    indices.data());
+    });
+}
+
+// Gives each list its place, and makes records of the counts.
+void LightClusters::layOutLists() {
     const uint32_t fair = fairListLength();
+    next_.resize(counts_.size());
+    const uint32_t lists = listsOfFroxel();
     uint32_t first = 0;
-    for (uint32_t f = 0; f < froxels; ++f) {
-        uint32_t* record = &clusters[size_t(f) * recordWords];
+    for (size_t f = 0; f < counts_.size() / lists; ++f) {
+        uint32_t* record = &clusters[f * recordWords];
         record[0] = first << kCountBits;
-        for (uint32_t c = 0; c < kLightClasses; ++c) {
-            uint32_t& list = lists_[f * kLightClasses + c];
+        for (uint32_t c = 0; c < lists; ++c) {
+            uint32_t& list = counts_[f * lists + c];
             const uint32_t count = std::min(list, fair);
             droppedReferences += list - count;
-            if (c < recordWords) record[c] |= count;
-            list = first;
+            record[c > 0] |= count << (c == uint32_t(LightClass::area) ? kCountBits : 0);
+            next_[f * lists + c] = first;
             first += count;
+            list = first;
         }
     }
     indices.resize(first);
-    for (const Reference& r : references_) {
-        const uint32_t next = lists_[r.list];
-        const uint32_t f = r.list / kLightClasses, c = r.list % kLightClasses;
-        const uint32_t* record = &clusters[size_t(f) * recordWords];
-        uint32_t end = record[0] >> kCountBits;
-        for (uint32_t i = 0; i <= c; ++i) end += record[i] & kMaxPerCluster;
-        if (next == end) continue;
-        indices[next] = r.slot;
-        ++lists_[r.list];
-    }
 }
 
 // The longest that lists may be so that the first indices of all fit their bits: every froxel loses its last lights
@@ -149,56 +282,16 @@ void LightClusters::writeLists() {
 uint32_t LightClusters::fairListLength() const {
     const auto total = [&](uint32_t longest) {
         uint64_t sum = 0;
-        for (uint32_t count : lists_) sum += std::min(count, longest);
+        for (uint32_t count : counts_) sum += std::min(count, longest);
         return sum;
     };
-    if (references_.size() < kMaxReferences) return kMaxPerCluster;
+    if (total(kMaxPerCluster) < kMaxReferences) return kMaxPerCluster;
     uint32_t fits = 0, tooLong = kMaxPerCluster + 1;
     while (tooLong - fits > 1) {
         const uint32_t middle = (fits + tooLong) / 2;
         (total(middle) < kMaxReferences ? fits : tooLong) = middle;
     }
     return fits;
-}
-
-void LightClusters::addReferences(const CameraMatrices& camera, LightClass lightClass,
-                                  uint16_t slot, const vec3& p, float range) {
-    const float tileX = 2.0f * RL_CLUSTER_PIXELS / float(width_);
-    const float tileY = 2.0f * RL_CLUSTER_PIXELS / float(height_);
-    const float scaleX = camera.perspective ? camera.tanHalfX : camera.halfWidth;
-    const float scaleY = camera.perspective ? camera.tanHalfY : camera.halfHeight;
-    for (uint32_t s = 0; s < kSlices; ++s) {
-        const float low = sliceEdges_[s], high = std::min(sliceEdges_[s + 1], p.z + range);
-        if (low > p.z + range || sliceEdges_[s + 1] < p.z - range) continue;
-        const float dz = squaredDistanceToInterval(p.z, low, sliceEdges_[s + 1]);
-        const float radiusSq = range * range - dz;
-        if (radiusSq <= 0) continue;
-        const float radius = std::sqrt(radiusSq);
-        // A tile's side edges at the slice's two ends bound its box.
-        const float nearScale = camera.perspective ? std::max(low, camera.nearPlane) : 1;
-        const float farScale = camera.perspective ? std::max(high, nearScale) : 1;
-        const auto edges = [&](float ndc, float scale, float& least, float& most) {
-            const float a = ndc * scale * nearScale, b = ndc * scale * farScale;
-            least = std::min(a, b);
-            most = std::max(a, b);
-        };
-        for (uint32_t ty = 0; ty < tilesY; ++ty) {
-            float bottom, top, unused;
-            edges(float(ty) * tileY - 1, scaleY, bottom, unused);
-            edges(float(ty + 1) * tileY - 1, scaleY, unused, top);
-            const float dy = squaredDistanceToInterval(p.y, bottom, top);
-            if (dy >= radius * radius) continue;
-            for (uint32_t tx = 0; tx < tilesX; ++tx) {
-                float left, right;
-                edges(float(tx) * tileX - 1, scaleX, left, unused);
-                edges(float(tx + 1) * tileX - 1, scaleX, unused, right);
-                const float dx = squaredDistanceToInterval(p.x, left, right);
-                if (dx + dy >= radius * radius) continue;
-                const uint32_t froxel = (s * tilesY + ty) * tilesX + tx;
-                references_.push_back({froxel * kLightClasses + uint32_t(lightClass), slot});
-            }
-        }
-    }
 }
 
 }  // namespace rushlight

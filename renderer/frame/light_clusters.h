@@ -1,7 +1,9 @@
 #pragma once
-// Clustered light lists: the view volume is cut in froxels (tiles of 64 x 64 pixels, exponential slices of depth), and
+// Clustered light lists: the view volume is cut in froxels (square tiles of pixels, exponential slices of depth), and
 // each lists the lights that reach into it (Olsson, Billeter, Assarsson, "Clustered Deferred and Forward Shading", 2012).
 
+#include "engine/core/jobs.h"
+#include "renderer/frame/light_coverage.h"
 #include "renderer/frame/view_math.h"
 
 #include <array>
@@ -14,8 +16,9 @@ namespace rushlight {
 enum class LightClass : uint8_t {
     plain,      ///< point and spot lights; one slot
     modulated,  ///< those whose light is multiplied by a shadow; two slots
+    area,       ///< surfaces that shine; two slots
 };
-inline constexpr uint32_t kLightClasses = 2;
+static_assert(uint32_t(LightClass::area) + 1 == kLightClasses);
 
 /// A slot of the light buffer as the shaders read it: three texels of RGBA32F. Indices in the lists count slots.
 struct GpuLight {
@@ -36,11 +39,26 @@ struct GpuLightModulation {
 };
 static_assert(sizeof(GpuLightModulation) == sizeof(GpuLight));
 
+/// The two slots of an area light.
+struct GpuAreaLight {
+    vec3 position;  ///< relative to the camera, world axes
+    float inverseRangeSq;
+    vec3 luminance;
+    float shape;  ///< AreaShape
+    vec3 halfX;
+    float radius;
+    vec3 halfY;
+    float twoSided;  ///< 0 or 1
+    float unused[8] = {};
+};
+static_assert(sizeof(GpuAreaLight) == 2 * sizeof(GpuLight));
+
 /// The lights of a frame.
 struct ClusterInputs {
     std::span<const PunctualLight> punctual;
     /// Of each punctual light, the shadow record that shaders look up, or -1; empty: none has one.
     std::span<const int32_t> shadowRecords;
+    std::span<const AreaLight> area;
 };
 
 /// A froxel's record: one word in frames of plain lights alone, else two. Its indices are sorted by class and, within
@@ -48,21 +66,23 @@ struct ClusterInputs {
 ///
 ///     31                    10 9         0
 ///     [ first light index     ][  plain  ]
-///     [ unused                ][modulated]
+///     [ unused    ][  area    ][modulated]     (area lights in bits 10 to 19)
 struct LightClusters {
     static constexpr uint32_t kCountBits = 10;
     static constexpr uint32_t kMaxPerCluster = (1u << kCountBits) - 1;
     static constexpr uint32_t kMaxReferences = 1u << (32 - kCountBits);  ///< of all froxels together
-    static constexpr uint32_t kSlices = 16;
+    static constexpr uint32_t kMaxSlices = 64;
 
     uint32_t tilesX = 1, tilesY = 1;
+    uint32_t tilePixels = 64;  ///< side of a tile, chosen by how large the lights look
+    uint32_t slices = 16;
     float sliceScale = 0, sliceBias = 0;  ///< slice = log2(viewDepth) * scale + bias
     uint32_t recordWords = 1;
     /// As LightingUniforms holds them.
     vec4 mapping() const {
         return {sliceScale, sliceBias, float(tilesX), float(tilesX * tilesY)};
     }
-    vec4 counts() const { return {float(tilesX), float(tilesY), float(kSlices), 0}; }
+    vec4 counts() const { return {float(tilesX), float(tilesY), float(slices), 1 / float(tilePixels)}; }
 
     uint32_t visibleLights = 0;
     std::array<uint32_t, kLightClasses> visibleOfClass{};
@@ -73,35 +93,37 @@ struct LightClusters {
     std::vector<uint32_t> clusters;  ///< records
     std::vector<uint16_t> indices;
 
-    /// Fills the lists; keeps the vectors' memory.
+    /// Fills the lists; keeps the vectors' memory. The same lists for any number of threads.
     void build(const CameraMatrices& camera, uint32_t width, uint32_t height,
-               const ClusterInputs& inputs);
+               const ClusterInputs& inputs, JobSystem& jobs);
 
 private:
-    struct Reference {
-        uint32_t list;  ///< froxel * kLightClasses + class
-        uint16_t slot;
-    };
     struct VisibleLight {
         uint32_t index;  ///< in ClusterInputs
-        float range;
         LightClass lightClass;
+        LightVolume volume;
     };
-    void chooseSlices(const CameraMatrices&, float nearest, float farthest);
-    void addLight(const CameraMatrices&, const ClusterInputs&, const VisibleLight&);
+    void gather(const CameraMatrices&, const ClusterInputs&);
+    void addIfVisible(const CameraMatrices&, uint32_t index, LightClass, LightVolume worldVolume);
+    void chooseResolution(const CameraMatrices&, uint32_t width, uint32_t height);
+    void chooseGrid(const CameraMatrices&, uint32_t width, uint32_t height);
+    /// Lists of a froxel that are counted: one where there are plain lights alone.
+    uint32_t listsOfFroxel() const { return recordWords > 1 ? kLightClasses : 1; }
+    void addLight(const CameraMatrices&, const ClusterInputs&, VisibleLight&);
+    void writeLists(JobSystem&);
+    void layOutLists();
     uint32_t fairListLength() const;
-    void addReferences(const CameraMatrices&, LightClass, uint16_t slot, const vec3& viewPosition,
-                       float range);
-    void writeLists();
 
+    FroxelGrid grid_;
+    LightVolumes volumes_;
     std::vector<VisibleLight> visible_;
-    std::vector<Reference> references_;
-    std::vector<uint32_t> lists_;  ///< counts, then next free indices, of each froxel's classes
-    std::vector<float> sliceEdges_;
-    uint32_t width_ = 0, height_ = 0;
+    float nearest_ = 0, farthest_ = 0;         ///< depths that the visible lights reach
+    std::vector<uint32_t> counts_;             ///< of each froxel's classes; then where each list ends
+    std::vector<uint32_t> next_;               ///< where each list's next index goes
 };
 
 /// Metres beyond which a light without a range adds less than a thousandth of a lux.
 float effectiveRange(const PunctualLight& light);
+float effectiveRange(const AreaLight& light);
 
 }  // namespace rushlight

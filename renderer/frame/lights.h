@@ -25,6 +25,24 @@ struct PunctualLight {
     float shadowNear = 0.05f;   ///< metres; what is nearer to the light casts no shadow: its own bulb or housing
 };
 
+enum class AreaShape : uint8_t { rectangle, disk, sphere, tube };
+
+/// A surface of the same luminance everywhere and in all directions. It lights surfaces and is not itself drawn: give what
+/// stands for it an emissive material. Its power is pi * luminance * area lumens a side.
+struct AreaLight {
+    AreaShape shape = AreaShape::rectangle;
+    vec3 position{0};      ///< of its middle
+    /// Metres from the middle: to two neighbouring sides of a rectangle, or along two half axes of a disk, at right angles to
+    /// each other. The front looks along cross(halfX, halfY). A tube reaches from -halfX to +halfX.
+    vec3 halfX{0.5f, 0, 0};
+    vec3 halfY{0, 0.5f, 0};
+    float radius = 0.1f;   ///< metres, of a sphere or a tube
+    vec3 luminance{1000};  ///< candela per square metre times colour
+    bool twoSided = false; ///< a rectangle or disk that shines backwards too
+    /// Metres from the middle beyond which it lights nothing, with the window of KHR_lights_punctual; 0: unbounded.
+    float range = 0;
+};
+
 enum class Background : uint8_t { color, environment, transparent };
 
 /// The sun, seen: drawn over an environment that is shown as the background. It lights nothing.
@@ -35,7 +53,8 @@ struct SunDisk {
 };
 
 /// Air that scatters: exponential height fog, lit by the sun with its shadows, the clustered lights and the ambient light.
-/// It covers what lies behind it, the background included.
+/// It covers what lies behind it, the background included. Area lights do not
+/// light it.
 struct Fog {
     float density = 0;       ///< extinction per metre at `height`; 0: there is none
     float heightFalloff = 0;  ///< per metre: extinction is density * exp(-heightFalloff * (y - height)); 0: the same everywhere
@@ -48,6 +67,7 @@ struct Fog {
 struct Lighting {
     std::span<const DirectionalLight> directional;  ///< at most kMaxDirectionalLights; the first that casts has shadows
     std::span<const PunctualLight> punctual;        ///< at most kMaxPunctualLights
+    std::span<const AreaLight> area;                ///< at most kMaxAreaLights
     EnvironmentHandle environment;                  ///< zero: the hemisphere ambient below
     float environmentRotation = 0;                  ///< radians about +y
     float environmentIntensity = 1;
@@ -64,5 +84,6 @@ struct Lighting {
 
 inline constexpr uint32_t kMaxDirectionalLights = 4;
 inline constexpr uint32_t kMaxPunctualLights = 4096;
+inline constexpr uint32_t kMaxAreaLights = 1024;
 
 }  // namespace rushlight

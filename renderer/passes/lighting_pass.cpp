@@ -60,6 +60,7 @@ void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) con
         if (shadowFilter == ShadowFilter::hard) defines.push_back("SHADOW_HARD");
         if (shadowFilter == ShadowFilter::soft) defines.push_back("SHADOW_SOFT");
     }
+    if (areaLights) defines.push_back("AREA_LIGHTS");
     if (environment) defines.push_back("ENVIRONMENT");
     else if (hemisphere) defines.push_back("HEMISPHERE");
     if (orthographic) defines.push_back("ORTHOGRAPHIC");
@@ -85,8 +86,10 @@ void LightingBindings::record(PassContext& context) const {
         commands.push(BindTexture{RL_TEXTURE_ENVIRONMENT, environment, cubeSampler});
         if (!features.irradianceVolume)
             commands.push(BindTexture{RL_TEXTURE_IRRADIANCE, irradiance, cubeSampler});
-        commands.push(BindTexture{RL_TEXTURE_BRDF_TABLE, brdfTable, linearSampler});
     }
+    if (features.areaLights)
+        commands.push(BindTexture{RL_TEXTURE_LTC, ltcTable, linearSampler});
+    commands.push(BindTexture{RL_TEXTURE_BRDF_TABLE, brdfTable, linearSampler});
 }
 
 void LightingBindings::recordProbes(PassContext& context) const {

@@ -24,7 +24,8 @@ struct LightingFeatures {
     bool orthographic = false;
     bool irradianceVolume = false;  ///< the environment's irradiance, or the hemisphere, is not read then
 
-    bool clusteredLights() const { return plainLights || modulatedLights; }
+    bool areaLights = false;       ///< LightClass::area
+    bool clusteredLights() const { return plainLights || modulatedLights || areaLights; }
     bool operator==(const LightingFeatures&) const = default;
     /// The #defines; the texts are static.
     void appendDefines(std::vector<std::string_view>& defines) const;
@@ -44,6 +45,7 @@ struct LightingBindings {
     TextureHandle sky;          ///< sharp cube
     SamplerHandle cubeSampler;
     TextureHandle brdfTable;
+    TextureHandle ltcTable;  ///< where there are area lights
     SamplerHandle linearSampler;
     TextureHandle probeDistances;  ///< with an irradiance volume
     BufferRange probeRecords;

@@ -10,7 +10,6 @@
 
 #if defined(ENVIRONMENT)
 layout(binding = RL_TEXTURE_ENVIRONMENT) uniform samplerCube environmentMap;
-layout(binding = RL_TEXTURE_BRDF_TABLE) uniform sampler2D brdfTable;
 
 vec3 turnToEnvironment(vec3 d) {
     vec2 turn = L_ENVIRONMENT.xy;
@@ -23,8 +22,7 @@ vec3 diffuseAlbedo(LitSurface s) { return s.baseColor * (1.0 - s.metallic); }
 // How much of what comes from around goes on towards the eye.
 EnvironmentWeights ambientWeights(LitSurface s) {
 #if defined(ENVIRONMENT)
-    vec2 table = textureLod(brdfTable, vec2(s.point.nDotV, clampRoughness(s.roughness)), 0.0).xy;
-    return environmentWeights(diffuseAlbedo(s), s.point.f0, table);
+    return environmentWeights(diffuseAlbedo(s), s.point.f0, s.table);
 #else
     // The specular lobe of a hemisphere, without a table: Karis 2014, "Physically Based Shading on Mobile".
     vec4 k = s.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);

@@ -4,26 +4,31 @@ layout(binding = RL_TEXTURE_LIGHTS) uniform samplerBuffer lightTexels;
 layout(binding = RL_TEXTURE_CLUSTERS) uniform usamplerBuffer clusterTexels;
 layout(binding = RL_TEXTURE_LIGHT_INDICES) uniform usamplerBuffer lightIndexTexels;
 
-#if defined(MODULATED_LIGHTS)
+#if defined(MODULATED_LIGHTS) || defined(AREA_LIGHTS)
 #define CLUSTER_WORDS 2
 #else
 #define CLUSTER_WORDS 1
 #endif
 
+#if defined(AREA_LIGHTS)
+#include "common/area_lights.glsl"
+#endif
+
 int clusterAt(vec2 pixel, float viewDepth) {
     float slice = floor(log2(max(viewDepth, 1e-6)) * L_CLUSTER_MAPPING.x + L_CLUSTER_MAPPING.y);
     slice = clamp(slice, 0.0, L_CLUSTER_COUNTS.z - 1.0);
-    vec2 tile = floor(pixel * (1.0 / float(RL_CLUSTER_PIXELS)));
+    vec2 tile = floor(pixel * L_CLUSTER_COUNTS.w);
     return int(slice * L_CLUSTER_MAPPING.w + tile.y * L_CLUSTER_MAPPING.z + tile.x);
 }
 
-/// x: plain, y: modulated lights of a froxel
-ivec2 lightCounts(int cluster) {
-    ivec2 counts = ivec2(texelFetch(clusterTexels, cluster * CLUSTER_WORDS).x & 1023u, 0);
+/// All the lights of a froxel
+int lightCount(int cluster) {
+    int count = int(texelFetch(clusterTexels, cluster * CLUSTER_WORDS).x & 1023u);
 #if CLUSTER_WORDS > 1
-    counts.y = int(texelFetch(clusterTexels, cluster * CLUSTER_WORDS + 1).x & 1023u);
+    uint others = texelFetch(clusterTexels, cluster * CLUSTER_WORDS + 1).x;
+    count += int((others & 1023u) + (others >> 10));
 #endif
-    return counts;
+    return count;
 }
 
 /// One light at a surface that nothing hides: intensity times attenuation lights a surface that faces it.
@@ -64,10 +69,10 @@ vec3 clusteredLight(LitSurface s, vec2 pixel) {
 #endif
 #if CLUSTER_WORDS > 1
     uint others = texelFetch(clusterTexels, cluster * CLUSTER_WORDS + 1).x;
-#endif
-#if defined(MODULATED_LIGHTS)
     first += count;
     count = int(others & 1023u);
+#endif
+#if defined(MODULATED_LIGHTS)
     for (int i = 0; i < count; ++i) {
         LightSample light = sampleLight(first + i, s);
         // x: shadow record, y: the source's radius
@@ -79,6 +84,13 @@ vec3 clusteredLight(LitSurface s, vec2 pixel) {
 #endif
         sum += evaluateBrdf(s.point, light.direction) * light.intensity * light.attenuation;
     }
+#endif
+#if defined(AREA_LIGHTS)
+    first += count;
+    count = int(others >> 10);
+    AreaFrame frame = makeAreaFrame(s);
+    for (int i = 0; i < count; ++i)
+        sum += areaLight(int(texelFetch(lightIndexTexels, first + i).x) * 3, s, frame);
 #endif
     return sum;
 }

@@ -7,7 +7,7 @@ layout(binding = RL_TEXTURE_DECAL_LISTS) uniform usamplerBuffer decalLists;
 int decalCluster(vec2 pixel, float viewDepth) {
     vec4 mapping = view.decalMapping;
     float slice = floor(log2(max(viewDepth, 1e-6)) * mapping.x + mapping.y);
-    vec2 tile = floor(pixel * (1.0 / float(RL_CLUSTER_PIXELS)));
+    vec2 tile = floor(pixel * (1.0 / float(RL_DECAL_PIXELS)));
     return int(clamp(slice, 0.0, float(RL_DECAL_SLICES - 1)) * mapping.w + tile.y * mapping.z + tile.x);
 }
 

@@ -1,5 +1,8 @@
 // A point that is lit: what every light, shadow and ambient term of lighting.glsl takes.
+#include "interop/bindings.h"
 #include "interop/brdf.h"
+
+layout(binding = RL_TEXTURE_BRDF_TABLE) uniform sampler2D brdfTable;
 
 struct LitSurface {
     vec3 position;  // relative to the camera, world axes
@@ -13,6 +16,7 @@ struct LitSurface {
     vec3 bent;        // unit: where it comes from on the mean; the normal where nothing is hidden
     vec3 tint;        // with an irradiance volume: see shareableLight of common/irradiance_probes.glsl
     vec3 flow;
+    vec2 table;  // see specularAlbedo
     ShadingPoint point;
 };
 
@@ -38,6 +42,8 @@ LitSurface makeLitSurface(vec3 position, float viewDepth, vec3 view, vec3 normal
     s.bent = normal;
     s.tint = vec3(0.0);
     s.flow = vec3(0.0);
-    s.point = makeShadingPoint(baseColor, metallic, roughness, normal, view);
+    float nDotV = clamp(dot(normal, view), kMinNdotV, 1.0);
+    s.table = textureLod(brdfTable, vec2(nDotV, clampRoughness(roughness)), 0.0).xy;
+    s.point = makeShadingPoint(baseColor, metallic, roughness, normal, view, s.table);
     return s;
 }

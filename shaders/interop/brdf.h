@@ -48,27 +48,47 @@ RL_INLINE vec3 fresnelSchlick(vec3 f0, float vDotH) {
     return f0 + (vec3(1.0f) - f0) * pow5(clamp(1.0f - vDotH, 0.0f, 1.0f));
 }
 
+/// `table` = the split-sum integrals at (nDotV, roughness): the specular albedo under white light is f0 * x + y.
+RL_INLINE vec3 specularAlbedo(vec3 f0, vec2 table) { return f0 * table.x + vec3(table.y); }
+
+/// Turquin's factor on the single-scattering specular lobe that gives back what masking lost.
+RL_INLINE vec3 multipleScatteringScale(vec3 f0, vec2 table) {
+    return vec3(1.0f) + f0 * (1.0f / max(table.x + table.y, 1e-3f) - 1.0f);
+}
+
 // ---- one surface point under many lights -------------------------------------------------------------------------
 
 /// All that does not depend on the light.
 struct ShadingPoint {
     vec3 normal;         ///< unit
     vec3 view;           ///< unit, towards the eye
-    vec3 diffuseOverPi;  ///< Lambert's albedo over pi
+    vec3 diffuseOverPi;  ///< Lambert's albedo over pi, of the light that the specular lobe leaves
     vec3 f0;             ///< reflectance at normal incidence
+    vec3 specularAlbedo; ///< share of white light from everywhere that the specular lobe reflects to the eye
+    vec3 lobe0, lobe90;  ///< of Schlick's Fresnel term, at normal and grazing incidence, times the compensation
     float nDotV;         ///< clamped away from zero
     float alpha2;        ///< roughness to the fourth
     float rootV;         ///< smithRoot(nDotV, alpha2)
 };
 
+/// `table` as specularAlbedo takes it, at (nDotV, clampRoughness(roughness)).
+/// Energy: what masking takes from the specular lobe is given back by Turquin's factor, and the diffuse lobe gets what the
+/// specular one, so compensated, does not reflect. A white surface under white light is exactly white, where glTF's
+/// coupling of the lobes by 1 - F(v.h) gives up to a third too much at grazing angles. The price is reciprocity: the
+/// factors are those of the view's direction.
 RL_INLINE ShadingPoint makeShadingPoint(vec3 baseColor, float metallic, float roughness,
-                                        vec3 normal, vec3 view) {
+                                        vec3 normal, vec3 view, vec2 table) {
     ShadingPoint p;
     float r = clampRoughness(roughness);
     p.normal = normal;
     p.view = view;
-    p.diffuseOverPi = baseColor * ((1.0f - metallic) * kInversePi);
     p.f0 = mix(vec3(kDielectricF0), baseColor, metallic);
+    vec3 compensation = multipleScatteringScale(p.f0, table);
+    p.lobe0 = p.f0 * compensation;
+    p.lobe90 = compensation;
+    p.specularAlbedo = specularAlbedo(p.f0, table) * compensation;
+    p.diffuseOverPi = baseColor * ((1.0f - metallic) * kInversePi) *
+                      max(vec3(1.0f) - p.specularAlbedo, vec3(0.0f));
     p.nDotV = clamp(dot(normal, view), kMinNdotV, 1.0f);
     p.alpha2 = r * r * r * r;
     p.rootV = smithRoot(p.nDotV, p.alpha2);
@@ -87,21 +107,13 @@ RL_INLINE vec3 evaluateBrdf(ShadingPoint p, vec3 light) {
     float nDotH = (dot(p.normal, p.view) + rawNdotL) * inverseHalf;
     float vDotH = 0.5f * halfLength2 * inverseHalf;
 
-    vec3 fresnel = fresnelSchlick(p.f0, vDotH);
+    vec3 fresnel = p.lobe0 + (p.lobe90 - p.lobe0) * pow5(clamp(1.0f - vDotH, 0.0f, 1.0f));
     float specular = distributionGgx(nDotH, p.alpha2) *
                      visibilitySmith(p.nDotV, nDotL, p.rootV, smithRoot(nDotL, p.alpha2));
-    return (p.diffuseOverPi + (vec3(specular) - p.diffuseOverPi) * fresnel) * nDotL;
+    return (p.diffuseOverPi + fresnel * specular) * nDotL;
 }
 
 // ---- environment light, with multiple scattering -----------------------------------------------------------------
-
-/// `table` = the split-sum integrals at (nDotV, roughness): the specular albedo under white light is f0 * x + y.
-RL_INLINE vec3 specularAlbedo(vec3 f0, vec2 table) { return f0 * table.x + vec3(table.y); }
-
-/// Turquin's factor on the single-scattering specular lobe that gives back what masking lost.
-RL_INLINE vec3 multipleScatteringScale(vec3 f0, vec2 table) {
-    return vec3(1.0f) + f0 * (1.0f / max(table.x + table.y, 1e-3f) - 1.0f);
-}
 
 /// What multiplies the two parts of environment light.
 struct EnvironmentWeights {

@@ -8,8 +8,6 @@ RL_INTEROP_BEGIN
 
 #define RL_MAX_CASCADES 4
 #define RL_MAX_DIRECTIONAL_LIGHTS 4
-// A froxel is a square of pixels of this side, times a slice of depth.
-#define RL_CLUSTER_PIXELS 64
 // Of a cascade: texels at its rim that filters need, and the share of its side over which it fades into the next.
 #define RL_SHADOW_RIM 3
 #define RL_SHADOW_RIM_SOFT 18
@@ -18,6 +16,8 @@ RL_INTEROP_BEGIN
 #define RL_FOG_PIXELS 16
 #define RL_FOG_SLICES 64
 #define RL_FOG_COLUMNS 8
+// Side of the decals' froxels in pixels, and their slices
+#define RL_DECAL_PIXELS 64
 #define RL_DECAL_SLICES 16
 // The most that a half float holds: brighter light is cut off there, not made infinite.
 #define RL_MAX_RADIANCE 65504.0
@@ -42,7 +42,7 @@ struct LightingUniforms {
     vec4 viewDirection;  // xyz: where an orthographic camera looks
     // slice = log2(viewDepth) * x + y; z: tiles in a row, w: tiles in a slice
     vec4 clusterMapping;
-    vec4 clusterCounts;  // x, y, z: froxels along each axis
+    vec4 clusterCounts;  // x, y, z: froxels along each axis; w: 1 / pixels along a tile's side
     vec4 shadowRows[3];  // relative position to light space: xy metres, z in [0, 1], 1 nearest to the light
     vec4 shadowCascades[RL_MAX_CASCADES];  // x: uv per metre, yz: uv offset, w: metres per texel
     vec4 shadowSettings;                   // x: depth per metre, y: texels of one, z: 1 / y, w: 1 / uv over which the last fades out

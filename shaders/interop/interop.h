@@ -35,6 +35,7 @@ using glm::vec4;
 using uint = glm::uint;
 
 using glm::abs;
+using glm::acos;
 using glm::clamp;
 using glm::cos;
 using glm::cross;

@@ -90,8 +90,8 @@ vec3 shownColor(float depth) {
     float span = log2(flatSettings.y / flatSettings.x);
     return vec3(clamp(1.0 - log2(viewDepthOf(depth) / flatSettings.x) / span, 0.0, 1.0));
 #elif defined(SHOW_CLUSTERS)
-    ivec2 counts = lightCounts(clusterAt(uv / flatSourceTexel.xy, viewDepthOf(depth)));
-    return falseColor(float(counts.x + counts.y) * (1.0 / 32.0));
+    int count = lightCount(clusterAt(uv / flatSourceTexel.xy, viewDepthOf(depth)));
+    return falseColor(float(count) * (1.0 / 32.0));
 #else
     return vec3(0.0);  // SHOW_NOTHING: what is asked for is not in this frame
 #endif

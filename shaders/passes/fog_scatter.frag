@@ -41,17 +41,20 @@ vec3 lampScattering(LightSample light, LitSurface s, Piece piece) {
 
 vec3 clusteredScattering(LitSurface s, Piece piece, vec2 pixel) {
     int cluster = clusterAt(pixel, s.viewDepth);
-    int first = int(texelFetch(clusterTexels, cluster * CLUSTER_WORDS).x >> 10);
-    ivec2 counts = lightCounts(cluster);
+    uint record = texelFetch(clusterTexels, cluster * CLUSTER_WORDS).x;
+    int first = int(record >> 10);
+    int count = int(record & 1023u);
     vec3 sum = vec3(0.0);
 #if defined(PLAIN_LIGHTS)
-    for (int i = 0; i < counts.x; ++i) {
+    for (int i = 0; i < count; ++i) {
         LightSample light = sampleLight(first + i, s);
         sum += lampScattering(light, s, piece);
     }
 #endif
 #if defined(MODULATED_LIGHTS)
-    for (int i = counts.x; i < counts.x + counts.y; ++i) {
+    first += count;
+    count = int(texelFetch(clusterTexels, cluster * CLUSTER_WORDS + 1).x & 1023u);
+    for (int i = 0; i < count; ++i) {
         LightSample light = sampleLight(first + i, s);
         s.point.normal = light.direction;
 #if defined(PUNCTUAL_SHADOW)

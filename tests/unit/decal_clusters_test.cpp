@@ -21,8 +21,8 @@ struct Fixture {
 
 /// Found as shaders/common/decals.glsl finds it.
 std::vector<uint32_t> listAt(const DecalClusters& clusters, vec2 uv, float viewDepth) {
-    const uint32_t x = uint32_t(uv.x * kWidth) / RL_CLUSTER_PIXELS;
-    const uint32_t y = uint32_t(uv.y * kHeight) / RL_CLUSTER_PIXELS;
+    const uint32_t x = uint32_t(uv.x * kWidth) / RL_DECAL_PIXELS;
+    const uint32_t y = uint32_t(uv.y * kHeight) / RL_DECAL_PIXELS;
     const float slice = std::log2(std::max(viewDepth, 1e-6f)) * clusters.sliceScale + clusters.sliceBias;
     const uint32_t z = uint32_t(std::clamp(slice, 0.0f, float(DecalClusters::kSlices - 1)));
     const uint32_t record = clusters.lists[(z * clusters.tilesY + y) * clusters.tilesX + x];

@@ -1,4 +1,5 @@
 add_executable(lighting_test
+  area_lights_test.cpp
   brdf_test.cpp
   occlusion_arc_test.cpp
   encode_test.cpp

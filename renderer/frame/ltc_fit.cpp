@@ -1,0 +1,193 @@
+#include "renderer/frame/ltc_fit.h"
+
+#include "interop/ltc.h"
+#include "renderer/frame/sampling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rushlight {
+namespace {
+
+constexpr float kLeastAlpha = 5e-4f;  // rows below interop::kMinRoughness serve interpolation alone
+constexpr float kLeastCosine = 0.01f;
+constexpr uint32_t kSamples = 576;
+constexpr double kPower = 1.5;
+
+/// GGX seen from one side: the view in the x-z plane.
+struct Lobe {
+    vec3 view;
+    float alpha, alpha2, rootV;
+    float albedo = 0;
+    vec3 mean{0};
+
+    Lobe(float nDotV, float roughness) {
+        const float cosine = std::clamp(nDotV, kLeastCosine, 1.0f);
+        view = {std::sqrt(1 - cosine * cosine), 0, cosine};
+        alpha = std::max(roughness * roughness, kLeastAlpha);
+        alpha2 = alpha * alpha;
+        rootV = interop::smithRoot(cosine, alpha2);
+    }
+    /// Times the cosine; and the density by which sampleLight samples it.
+    float value(const vec3& light, float& density) const {
+        density = 0;
+        if (light.z <= 0) return 0;
+        const vec3 half = glm::normalize(view + light);
+        const float d = interop::distributionGgx(half.z, alpha2);
+        const float g1 = 2 * view.z / (view.z + rootV);
+        density = g1 * d / (4 * view.z);
+        return d * light.z *
+               interop::visibilitySmith(view.z, light.z, rootV, interop::smithRoot(light.z, alpha2));
+    }
+    vec3 sampleLight(const vec2& u) const {
+        const vec3 half = sampleVisibleNormal(view, alpha, u);
+        return 2 * glm::dot(view, half) * half - view;
+    }
+    void measure() {
+        constexpr uint32_t kCount = 4096;
+        for (uint32_t i = 0; i < kCount; ++i) {
+            const vec3 light = sampleLight(hammersley(i, kCount));
+            float density;
+            const float weight = value(light, density);
+            if (!(weight > 0)) continue;
+            albedo += weight / density / float(kCount);
+            mean += light * (weight / density);
+        }
+        mean = glm::normalize(vec3(mean.x, 0, mean.z));
+    }
+};
+
+/// M = [x y z] [a 0 c; 0 b 0; 0 0 1]: the lobe's own axes, turned in the view's plane by the fourth, times scales and a
+/// shear.
+using Parameters = std::array<float, 4>;
+
+mat3 matrixOf(const Lobe& lobe, const Parameters& p) {
+    const float angle = std::atan2(lobe.mean.x, lobe.mean.z) + p[3];
+    const vec3 z(std::sin(angle), 0, std::cos(angle)), x(z.z, 0, -z.x), y(0, 1, 0);
+    const float a = std::max(std::abs(p[0]), 1e-5f), b = std::max(std::abs(p[1]), 1e-5f);
+    return mat3(x * a, y * b, x * p[2] + z);
+}
+
+float transformedCosine(const mat3& inverse, float determinant, const vec3& light) {
+    const vec3 before = inverse * light;
+    const float length2 = glm::dot(before, before), length = std::sqrt(length2);
+    const float cosine = std::max(before.z / length, 0.0f);
+    return cosine * interop::kInversePi * determinant / (length2 * length);
+}
+
+/// As interop::applyLtc takes them; those that mix y with the others are zero.
+vec4 elementsOf(const mat3& inverse) {
+    return vec4(inverse[0][0], inverse[2][0], inverse[0][2], inverse[2][2]) / inverse[1][1];
+}
+
+float errorOf(const Lobe& lobe, const Parameters& p) {
+    const mat3 m = matrixOf(lobe, p), inverse = glm::inverse(m);
+    const float determinant = std::abs(glm::determinant(inverse));
+    double sum = 0;
+    const auto add = [&](const vec3& light) {
+        float density;
+        const float truth = lobe.value(light, density) / lobe.albedo;
+        const float fitted = transformedCosine(inverse, determinant, light);
+        const float difference = std::abs(truth - fitted);
+        if (density + fitted > 0)
+            sum += std::pow(double(difference), kPower) / (density + fitted);
+    };
+    for (uint32_t i = 0; i < kSamples; ++i) {
+        const vec2 u = hammersley(i, kSamples);
+        add(lobe.sampleLight(u));
+        const float ring = std::sqrt(u.x), phi = 2 * kPi * u.y;
+        add(glm::normalize(m * vec3(ring * std::cos(phi), ring * std::sin(phi), std::sqrt(1 - u.x))));
+    }
+    return float(sum);
+}
+
+// Nelder and Mead, "A Simplex Method for Function Minimization", 1965, over the first `dimensions` parameters.
+template <class Function>
+Parameters minimize(Parameters start, int dimensions, float spread, Function&& f) {
+    struct Point {
+        Parameters p;
+        float error;
+    };
+    std::array<Point, 5> simplex;
+    const auto at = [&](const Parameters& p) { return Point{p, f(p)}; };
+    for (int i = 0; i <= dimensions; ++i) {
+        Parameters p = start;
+        if (i > 0) p[size_t(i - 1)] += i >= 3 ? spread * std::min(start[1], 0.3f) : spread * std::max(p[size_t(i - 1)], 0.01f);
+        simplex[size_t(i)] = at(p);
+    }
+    const auto along = [&](const Parameters& from, const Parameters& to, float t) {
+        Parameters p = from;
+        for (size_t i = 0; i < p.size(); ++i) p[i] += (to[i] - from[i]) * t;
+        return p;
+    };
+    for (int step = 0; step < 120; ++step) {
+        for (int i = 1; i <= dimensions; ++i)
+            for (int k = i; k > 0 && simplex[size_t(k)].error < simplex[size_t(k - 1)].error; --k)
+                std::swap(simplex[size_t(k)], simplex[size_t(k - 1)]);
+        Parameters middle{};
+        for (int i = 0; i < dimensions; ++i)
+            for (size_t k = 0; k < 4; ++k) middle[k] += simplex[size_t(i)].p[k] / float(dimensions);
+        Point& worst = simplex[size_t(dimensions)];
+        const Point reflected = at(along(worst.p, middle, 2));
+        if (reflected.error < simplex[0].error) {
+            const Point expanded = at(along(worst.p, middle, 3));
+            worst = expanded.error < reflected.error ? expanded : reflected;
+        } else if (reflected.error < simplex[size_t(dimensions - 1)].error) {
+            worst = reflected;
+        } else {
+            const Point contracted = at(along(worst.p, middle, reflected.error < worst.error ? 1.5f : 0.5f));
+            if (contracted.error < std::min(worst.error, reflected.error)) {
+                worst = contracted;
+            } else {
+                for (int i = 1; i <= dimensions; ++i)
+                    simplex[size_t(i)] = at(along(simplex[0].p, simplex[size_t(i)].p, 0.5f));
+            }
+        }
+    }
+    size_t best = 0;
+    for (size_t i = 1; i <= size_t(dimensions); ++i)
+        if (simplex[i].error < simplex[best].error) best = i;
+    return simplex[best].p;
+}
+
+}  // namespace
+
+vec4 fitLtc(float nDotV, float roughness) {
+    Lobe lobe(nDotV, roughness);
+    lobe.measure();
+    const bool isotropic = lobe.view.x < 1e-3f;
+    if (isotropic) lobe.mean = {0, 0, 1};
+    const auto error = [&](const Parameters& p) {
+        return errorOf(lobe, isotropic ? Parameters{p[0], p[0], 0, 0} : p);
+    };
+    // Seen at an angle, a lobe is narrower along the view's plane.
+    const float start = std::max(lobe.alpha, 1e-3f);
+    Parameters p{start * std::max(lobe.view.z, 0.2f), start, 0, 0};
+    if (isotropic) {
+        p = minimize({start, start, 0, 0}, 1, 0.3f, error);
+        p[1] = p[0];
+    } else {
+        p = minimize(p, 3, 0.3f, error);
+        p = minimize(p, 4, 0.1f, error);
+    }
+    return elementsOf(glm::inverse(matrixOf(lobe, p)));
+}
+
+std::vector<vec4> fitLtcTable(JobSystem& jobs, uint32_t size) {
+    std::vector<vec4> table(size_t(size) * size);
+    jobs.forRanges(size * size, 8, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t i = begin; i < end; ++i) {
+            const float column = float(i % size) / float(size - 1);
+            table[i] = fitLtc(1 - column * column, float(i / size) / float(size - 1));
+        }
+    });
+    return table;
+}
+
+float specularLobe(float nDotV, float roughness, const vec3& light) {
+    float density;
+    return Lobe(nDotV, roughness).value(light, density);
+}
+
+}  // namespace rushlight
