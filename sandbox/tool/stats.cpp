@@ -37,7 +37,8 @@ ordered_json frameJson(const FrameReport& r, const FrameTimes& times) {
             {"lights_visible", r.lightsVisible},
             {"shadow_views_drawn", r.shadowViewsDrawn},
             {"shadow_views_cached", r.shadowViewsCached},
-            {"waits", r.waits}};
+            {"waits", r.waits},
+            {"queue_waits", r.queueWaits}};
 }
 
 ordered_json passesJson(const FrameReport& report) {
