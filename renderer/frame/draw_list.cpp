@@ -20,6 +20,19 @@ void writeRows(const mat4x3& m, vec4& row0, vec4& row1, vec4& row2) {
     row2 = {m[0].z, m[1].z, m[2].z, m[3].z};
 }
 
+// Of an item that comes soon, after its record was prefetched.
+void prefetchFacing(const FrameWorlds& worlds, const GeometryStore& geometry,
+                    std::span<const VisibleItem> items, size_t index) {
+    constexpr size_t kAhead = 4;
+    if (index + kAhead >= items.size()) return;
+    const VisibleItem& item = items[index + kAhead];
+    const GpuMesh& mesh = *geometry.find(worlds.record(item.object).mesh);
+    if (item.lod >= mesh.groupedLods) return;
+    const char* bytes = reinterpret_cast<const char*>(&mesh.facing[item.lod]);
+    for (size_t offset = 0; offset < sizeof(FacingGroups); offset += 64)
+        __builtin_prefetch(bytes + offset);
+}
+
 }  // namespace
 
 // Opaque: by state, then roughly front to back, then equal meshes together.
@@ -56,22 +69,52 @@ Aabb FrameWorlds::bounds() const {
     return all;
 }
 
-void DrawList::arrange(const FrameWorlds& worlds, const GeometryStore& geometry, bool casters) {
+// Of the groups whose bits are set, one draw a run of them; short gaps are drawn too.
+void DrawList::addDraws(const GpuMesh& mesh, uint32_t lod, uint32_t groups, uint32_t instance) {
+    constexpr uint32_t kGap = 16 * 3;  // indices that cost less than a draw
+    const uint32_t* starts = mesh.facing[lod].firstIndex.data();
+    uint32_t runEnd = ~0u;
+    for (uint64_t left = groups; left;) {
+        const uint32_t begin = uint32_t(std::countr_zero(left));
+        const uint32_t end = begin + uint32_t(std::countr_one(left >> begin));
+        left &= ~0ull << end;
+        if (runEnd != ~0u && starts[begin] - runEnd < kGap) {
+            draws_.back().indexCount += starts[end] - runEnd;
+        } else {
+            draws_.push_back({starts[end] - starts[begin], 1,
+                              mesh.lods[lod].firstIndex + starts[begin], int32_t(mesh.firstVertex),
+                              instance});
+        }
+        runEnd = starts[end];
+    }
+}
+
+void DrawList::addDraw(const GpuMesh& mesh, uint32_t lod, bool asGiven, uint32_t instance) {
+    const uint32_t first =
+        asGiven && lod == 0 ? mesh.firstIndex : mesh.lods[lod].firstIndex;
+    draws_.push_back(
+        {mesh.lods[lod].indexCount, 1, first, int32_t(mesh.firstVertex), instance});
+}
+
+void DrawList::arrange(const FrameWorlds& worlds, const GeometryStore& geometry,
+                       const Kind& kind) {
     radixSort(items, scratch_);
     batches.clear();
     draws_.clear();
     positions_.resize(items.size());
     stillCount_ = movingCount_ = 0;
     contentHash_ = items.size();
+    const bool leavesBacksOut = kind.eye != vec4(0);
     MeshHandle lastMesh;
-    uint32_t lastLod = 0;
+    uint32_t lastLod = 0, lastGroups = 0, lastDraws = 0, lastTriangles = 0;
     for (size_t i = 0; i < items.size(); ++i) {
         worlds.prefetch(items, i);
+        if (leavesBacksOut) prefetchFacing(worlds, geometry, items, i);
         const VisibleItem& item = items[i];
         const InstanceRecord& r = worlds.record(item.object);
         const GpuMesh& mesh = *geometry.find(r.mesh);
         const bool moving = item.flags & kMoving;
-        const uint32_t set = !casters || (item.flags & kAlphaMask) ? r.textureSet : 0;
+        const uint32_t set = !kind.casters || (item.flags & kAlphaMask) ? r.textureSet : 0;
         DrawBatch* batch = batches.empty() ? nullptr : &batches.back();
         if (!batch || batch->surfaceFlags != item.flags || batch->textureSet != set ||
             batch->extended != mesh.extended) {
@@ -81,17 +124,27 @@ void DrawList::arrange(const FrameWorlds& worlds, const GeometryStore& geometry,
             lastMesh = {};
         }
         uint32_t& position = moving ? movingCount_ : stillCount_;
-        const MeshLod& lod = mesh.lods[item.lod];
-        batch->triangleCount += lod.indexCount / 3;
-        if (r.mesh == lastMesh && item.lod == lastLod) {
-            ++draws_.back().instanceCount;
+        const bool grouped =
+            item.lod < mesh.groupedLods && leavesBacksOut && !(item.flags & kDoubleSided);
+        const uint32_t groups =
+            grouped ? groupsFacing(mesh.facing[item.lod], r.worldFromLocal, kind.eye) : ~0u;
+        if (r.mesh == lastMesh && item.lod == lastLod && groups == lastGroups) {
+            for (size_t d = draws_.size() - lastDraws; d < draws_.size(); ++d)
+                ++draws_[d].instanceCount;
         } else {
-            draws_.push_back(
-                {lod.indexCount, 1, lod.firstIndex, int32_t(mesh.firstVertex), position});
-            ++batch->drawCount;
+            const size_t before = draws_.size();
+            if (grouped) addDraws(mesh, item.lod, groups, position);
+            else addDraw(mesh, item.lod, kind.blended, position);
+            lastDraws = uint32_t(draws_.size() - before);
+            lastTriangles = 0;
+            for (size_t d = before; d < draws_.size(); ++d)
+                lastTriangles += draws_[d].indexCount / 3;
+            batch->drawCount += lastDraws;
         }
+        batch->triangleCount += lastTriangles;
         lastMesh = r.mesh;
         lastLod = item.lod;
+        lastGroups = groups;
         positions_[i] = position++;
         contentHash_ = mixBits(contentHash_ ^ (uint64_t(item.object) << 32 | r.stamp)) + item.key;
     }
@@ -134,6 +187,7 @@ void DrawBinder::record(CommandBuffer& commands, const DrawList& list) const {
     uint32_t textureSet = 0;
     int streams = -1;
     for (const DrawBatch& batch : list.batches) {
+        if (batch.drawCount == 0) continue;
         if (batch.pipeline != pipeline) commands.push(SetPipeline{batch.pipeline});
         pipeline = batch.pipeline;
         const int wantedStreams = int(batch.extended) + 2 * int(batch.moving);

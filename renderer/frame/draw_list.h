@@ -66,8 +66,15 @@ public:
 
     std::vector<VisibleItem> items;
 
-    /// Sorts the items and forms batches. `casters`: materials only matter where alpha cuts.
-    void arrange(const FrameWorlds& worlds, const GeometryStore& geometry, bool casters);
+    /// What the items have in common.
+    struct Kind {
+        bool casters = false;  ///< materials only matter where alpha cuts
+        bool blended = false;  ///< triangles keep the order that they were given in
+        FacingEye eye{0};      ///< triangles whose backs it sees are left out where backs are culled; all zero:
+                               ///< none, as what that takes is more than shadow maps win by it
+    };
+    /// Sorts the items and forms batches.
+    void arrange(const FrameWorlds& worlds, const GeometryStore& geometry, const Kind& kind);
 
     /// Of which objects are drawn in which state, and how. After arrange().
     uint64_t contentHash() const { return contentHash_; }
@@ -82,6 +89,9 @@ public:
     BufferRange commandRange;
 
 private:
+    void addDraws(const GpuMesh& mesh, uint32_t lod, uint32_t groups, uint32_t instance);
+    void addDraw(const GpuMesh& mesh, uint32_t lod, bool asGiven, uint32_t instance);
+
     std::vector<VisibleItem> scratch_;
     std::vector<DrawIndexedCommand> draws_;
     std::vector<uint32_t> positions_;  ///< by item: its place in the stream of those that move, or of the others

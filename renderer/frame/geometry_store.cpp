@@ -79,7 +79,30 @@ struct GeometryStore::Prepared {
     std::vector<vec3> madeNormals;
     LodChain chain;
     CpuMesh cpu;
+    std::vector<FacingGroups> facing;  // of the finest levels
+    std::vector<uint32_t> finest;      // level 0 sorted by facing; empty: as it was given
 };
+
+namespace {
+
+// Sorts the larger levels by facing. Level 0 gets a copy: what is blended depends on the order that it was given in.
+void sortByFacing(const MeshDesc& desc, LodChain& chain, std::vector<uint32_t>& finest,
+                  std::vector<FacingGroups>& facing) {
+    if (desc.indices.size() < kFewestTrianglesForFacing * 3) return;
+    finest.assign(desc.indices.begin(), desc.indices.end());
+    std::vector<vec3> positions(desc.positions.begin(), desc.positions.end());
+    for (const MovedVertex& v : chain.moved) positions.push_back(positions[v.source] + v.offset);
+    for (uint32_t i = 0; i < chain.count; ++i) {
+        const MeshLod& lod = chain.lods[i];
+        if (lod.indexCount < kFewestTrianglesForFacing * 3) return;
+        facing.push_back(groupByFacing(
+            positions, i == 0 ? std::span(finest)
+                              : std::span(chain.indices)
+                                    .subspan(lod.firstIndex - finest.size(), lod.indexCount)));
+    }
+}
+
+}  // namespace
 
 GeometryStore::Prepared GeometryStore::prepare(const MeshDesc& desc) {
     Prepared out;
@@ -101,6 +124,7 @@ GeometryStore::Prepared GeometryStore::prepare(const MeshDesc& desc) {
     for (const MovedVertex& v : out.chain.moved)
         mesh.bounds.grow(desc.positions[v.source] + v.offset);
     out.cpu = makeCpuMesh(desc.positions, desc.indices, out.chain);
+    sortByFacing(desc, out.chain, out.finest, out.facing);
     return out;
 }
 
@@ -110,22 +134,30 @@ Result<MeshHandle> GeometryStore::insert(Prepared&& prepared, const MeshDesc& de
     mesh.firstVertex = families_[mesh.extended].vertices.allocate(
         mesh.vertexCount + mesh.movedCount);
     mesh.firstIndex =
-        indexRanges_.allocate(uint32_t(desc.indices.size() + chain.indices.size()));
+        indexRanges_.allocate(uint32_t(desc.indices.size() + prepared.finest.size() +
+                                       chain.indices.size()));
     mesh.lods = chain.lods;
     mesh.lodCount = chain.count;
-    for (uint32_t i = 0; i < chain.count; ++i) mesh.lods[i].firstIndex += mesh.firstIndex;
+    mesh.groupedLods = uint32_t(prepared.facing.size());
+    mesh.facing = prepared.facing.data();
+    for (uint32_t i = 0; i < chain.count; ++i)
+        mesh.lods[i].firstIndex += mesh.firstIndex + uint32_t(prepared.finest.size());
     if (auto ok = reserveVertices(mesh.extended); !ok) return tl::unexpected(ok.error());
     if (auto ok = reserveIndices(); !ok) return tl::unexpected(ok.error());
     MeshDesc withNormals = desc;
     if (desc.normals.empty()) withNormals.normals = prepared.madeNormals;
     upload(mesh, withNormals, chain.moved);
     device_.write(indices_, uint64_t(mesh.firstIndex) * 4, std::as_bytes(desc.indices));
+    if (!prepared.finest.empty())
+        device_.write(indices_, uint64_t(mesh.lods[0].firstIndex) * 4,
+                      std::as_bytes(std::span(prepared.finest)));
     if (!chain.indices.empty())
         device_.write(indices_, uint64_t(mesh.lods[1].firstIndex) * 4,
                       std::as_bytes(std::span(chain.indices)));
     const MeshHandle handle = meshes_.insert(mesh);
     if (sides_.size() <= handle.index()) sides_.resize(handle.index() + 1);
-    sides_[handle.index()] = {std::move(prepared.cpu), std::move(prepared.chain.moved), false};
+    sides_[handle.index()] = {std::move(prepared.cpu), std::move(prepared.chain.moved),
+                              std::move(prepared.facing), false};
     noteChange(handle);
     return handle;
 }
@@ -173,6 +205,7 @@ Result<void> GeometryStore::update(MeshHandle handle, const MeshDesc& desc) {
     mesh->bounds = {};
     for (const vec3& p : desc.positions) mesh->bounds.grow(p);
     mesh->closed = false;  // vertices that were in one place may have parted; to check costs more than it saves
+    mesh->groupedLods = 0;
     Side& side = sides_[handle.index()];
     for (MovedVertex& v : side.moved) v.offset = vec3(0);
     upload(*mesh, desc, side.moved);

@@ -5,6 +5,7 @@
 #include "engine/core/jobs.h"
 #include "renderer/backend/device.h"
 #include "renderer/frame/cpu_mesh.h"
+#include "renderer/frame/facing_groups.h"
 #include "renderer/frame/frame_input.h"
 #include "renderer/frame/mesh_lods.h"
 #include "renderer/frame/range_allocator.h"
@@ -16,13 +17,15 @@ namespace rushlight {
 
 struct GpuMesh {
     Aabb bounds;  ///< local space, of all levels
-    uint32_t firstIndex = 0;  ///< of level 0; the other levels follow it
+    uint32_t firstIndex = 0;  ///< of level 0 in the order it was given in, for what is blended; the levels follow
     uint32_t indexCount = 0;  ///< of level 0
     uint32_t firstVertex = 0;
     uint32_t vertexCount = 0;
     uint32_t movedCount = 0;  ///< of LodChain::moved, after the mesh's vertices
     std::array<MeshLod, kMaxLods> lods;  ///< finest first; `firstIndex` in the shared buffer
     uint32_t lodCount = 0;               ///< at least 1
+    uint32_t groupedLods = 0;  ///< so many of the finest levels are sorted by facing
+    const FacingGroups* facing = nullptr;  ///< of the grouped levels
     bool extended = false;     ///< has VertexExtra, lives in the extended streams
     bool hasTangents = false;
     bool closed = false;  ///< every edge has its opposite: back faces never decide a depth
@@ -82,6 +85,7 @@ private:
     struct Side {  // beside a GpuMesh, by handle index; apart from it, as frames walk the GpuMeshes
         CpuMesh cpu;
         std::vector<MovedVertex> moved;
+        std::vector<FacingGroups> facing;
         bool changed = false;
     };
     Device& device_;

@@ -143,6 +143,8 @@ Visibility::Counts Visibility::gather(const Inputs& in, JobSystem& jobs, Lists& 
             {in.worlds, in.geometry, in.camera, cameraScale_, in.targetWidth, in.targetHeight},
             jobs, lists.opaque.items, lists.blended.items);
 
+    const FacingEye eye = in.camera->perspective ? vec4(in.camera->position, 1)
+                                                 : vec4(-in.camera->forward, 0);
     const uint32_t listCount = kFirstCaster + in.cascades->count;
     jobs.forRanges(listCount, 1, [&](uint32_t begin, uint32_t end) {
         for (uint32_t i = begin; i < end; ++i) {
@@ -150,13 +152,15 @@ Visibility::Counts Visibility::gather(const Inputs& in, JobSystem& jobs, Lists& 
                              : i == kBlended ? lists.blended
                                              : lists.casters[i - kFirstCaster];
             if (i >= kFirstCaster) collect(i, list.items);
-            list.arrange(in.worlds, *in.geometry, i >= kFirstCaster);
+            const DrawList::Kind kind{i >= kFirstCaster, i == kBlended,
+                                      i == kOpaque ? eye : vec4(0)};
+            list.arrange(in.worlds, *in.geometry, kind);
             if (i != kOpaque) continue;
             DrawList& emission = lists.movingEmission;
             emission.items.clear();
             for (const VisibleItem& item : list.items)
                 if (emitsWhileMoving(item)) emission.items.push_back(item);
-            emission.arrange(in.worlds, *in.geometry, false);
+            emission.arrange(in.worlds, *in.geometry, kind);
         }
     });
     counts.visible = uint32_t(lists.opaque.items.size() + lists.blended.items.size());

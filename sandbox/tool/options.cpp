@@ -247,7 +247,7 @@ struct QualityLevel {
     bool reflections;
     bool bloom;
     AntiAliasing antiAliasing;
-    float lodError;
+    float lodError, shadowLodError;
 };
 
 constexpr std::array<QualityLevel, 4> kQualityLevels = {{
@@ -261,7 +261,8 @@ constexpr std::array<QualityLevel, 4> kQualityLevels = {{
      .reflections = false,
      .bloom = false,
      .antiAliasing = AntiAliasing::off,
-     .lodError = 1},
+     .lodError = 1,
+     .shadowLodError = 1},
     {.cascades = 2,
      .shadowResolution = 1024,
      .lightShadows = false,
@@ -272,7 +273,8 @@ constexpr std::array<QualityLevel, 4> kQualityLevels = {{
      .reflections = false,
      .bloom = true,
      .antiAliasing = AntiAliasing::fxaa,
-     .lodError = 0.5f},
+     .lodError = 0.5f,
+     .shadowLodError = 0.5f},
     {.cascades = 4,
      .shadowResolution = 2048,
      .lightShadows = false,
@@ -283,7 +285,8 @@ constexpr std::array<QualityLevel, 4> kQualityLevels = {{
      .reflections = false,
      .bloom = true,
      .antiAliasing = AntiAliasing::fxaa,
-     .lodError = 0.3f},
+     .lodError = FrameSettings{}.lodPixelError,
+     .shadowLodError = FrameSettings{}.shadowLodTexelError},
     {.cascades = 4,
      .shadowResolution = 4096,
      .lightShadows = true,
@@ -294,7 +297,8 @@ constexpr std::array<QualityLevel, 4> kQualityLevels = {{
      .reflections = true,
      .bloom = true,
      .antiAliasing = AntiAliasing::fxaa,
-     .lodError = 0.1f},
+     .lodError = 0.1f,
+     .shadowLodError = 0.1f},
 }};
 
 }  // namespace
@@ -370,7 +374,7 @@ FrameSettings settingsFrom(const RenderOptions& o) {
     settings.dither = o.dither.value_or(true);
     settings.occlusionCulling = o.occlusionCulling.value_or(true);
     settings.lodPixelError = o.lodError.value_or(level.lodError);
-    settings.shadowLodTexelError = o.shadowLodError.value_or(level.lodError);
+    settings.shadowLodTexelError = o.shadowLodError.value_or(level.shadowLodError);
     settings.smallObjectPixels = o.smallObjects.value_or(settings.smallObjectPixels);
     settings.exposureScale = o.exposureScale;
     settings.useExposureValue = o.exposureValue.has_value();

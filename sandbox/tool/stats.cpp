@@ -40,7 +40,8 @@ ordered_json frameJson(const FrameReport& r, const FrameTimes& times) {
             {"shadow_lights", r.shadowLights},
             {"shadow_lights_reduced", r.shadowLightsReduced},
             {"shadow_lights_without", r.shadowLightsWithout},
-            {"waits", r.waits}};
+            {"waits", r.waits},
+            {"queue_waits", r.queueWaits}};
 }
 
 ordered_json passesJson(const FrameReport& report) {

@@ -77,7 +77,7 @@ struct SortedDraws {
     }
     void record(JobSystem& jobs) {
         list.items = items;
-        list.arrange(worlds, geometry, false);
+        list.arrange(worlds, geometry, {});
         commands.clear();
         list.allocate(commands);
         jobs.forRanges(uint32_t(items.size()), DrawList::kItemsPerJob,

@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 namespace rushlight {
 namespace {
 
@@ -102,6 +105,58 @@ TEST_F(CullingGl, WhatIsOutsideOfTheViewsWouldNotHaveBeenSeen) {
         }
     }
     EXPECT_GT(culled, 1000u);
+}
+
+// An update with the same vertices gives up the groups and nothing else.
+TEST_F(CullingGl, GroupsThatFaceAwayWouldNotHaveBeenSeen) {
+    Shape torus;
+    constexpr uint32_t kAround = 24, kAcross = 14;
+    for (uint32_t i = 0; i <= kAround; ++i)
+        for (uint32_t k = 0; k <= kAcross; ++k) {
+            const float u = 2 * kPi * float(i) / kAround, v = 2 * kPi * float(k) / kAcross;
+            const float out = 1 + 0.4f * std::cos(v);
+            torus.positions.push_back({out * std::cos(u), 0.4f * std::sin(v), out * std::sin(u)});
+            if (i == kAround || k == kAcross) continue;
+            const uint32_t a = i * (kAcross + 1) + k, b = a + kAcross + 1;
+            for (uint32_t index : {a, a + 1, b, a + 1, b + 1, b}) torus.indices.push_back(index);
+        }
+    const Shape sphere = makeSphere(14, 21);
+    uint64_t leftOut = 0;
+    for (uint64_t seed = 400; seed < 407; ++seed) {
+        if (seed % 10 == 1) continue;
+        open();
+        RandomScene scene(*renderer, seed);
+        scene.settings.autoExposure = false;
+        scene.settings.shadowCaching = false;
+        std::array<MeshDesc, 2> descs = {torus.desc("torus"), sphere.desc("sphere")};
+        std::array<MeshHandle, 2> meshes;
+        for (size_t i = 0; i < 2; ++i) {
+            descs[i].lods = false;
+            meshes[i] = *renderer->createMesh(descs[i]);
+        }
+        for (size_t i = 0; i < scene.instances.size(); ++i)
+            if (i % 5) scene.instances[i].mesh = meshes[i % 2];
+        const auto view = [&](uint32_t i) {
+            FrameInput input = scene.frame(i % 3);
+            if (i < 3) return input;
+            input.view.perspective = false;
+            input.view.orthoHalfHeight = 9;
+            input.view.farPlane = 60;
+            return input;
+        };
+        std::array<std::vector<uint8_t>, 4> pictures;
+        std::array<uint64_t, 4> triangles;
+        for (uint32_t i = 0; i < 4; ++i) {
+            pictures[i] = picture(view(i));
+            triangles[i] = renderer->report().triangles;
+        }
+        for (size_t i = 0; i < 2; ++i) ASSERT_TRUE(renderer->updateMesh(meshes[i], descs[i]));
+        for (uint32_t i = 0; i < 4; ++i) {
+            EXPECT_TRUE(picture(view(i)) == pictures[i]) << "seed " << seed << ", frame " << i;
+            leftOut += renderer->report().triangles - triangles[i];
+        }
+    }
+    EXPECT_GT(leftOut, 30000u);
 }
 
 }  // namespace

@@ -137,6 +137,51 @@ TEST_F(DrawListTest, EqualMeshesMergeIntoOneInstancedDraw) {
     for (uint32_t i = 0; i < 5; ++i) EXPECT_EQ(data<InstanceData>(lists.opaque.instanceRange, i).id, 100 + i);
 }
 
+// Of large meshes only what may face the view is drawn, where backs are culled at all.
+TEST_F(DrawListTest, BacksAreLeftOutWhereTheyAreCulled) {
+    const Shape shape = makeSphere(14, 21);
+    MeshDesc desc = shape.desc();
+    desc.lods = false;
+    const MeshHandle large = *geometry.create(desc);
+    const uint32_t all = geometry.find(large)->indexCount / 3;
+    const auto drawn = [&](const DrawList& list) {
+        uint32_t triangles = 0, counted = 0;
+        for (const DrawBatch& batch : list.batches) {
+            counted += batch.triangleCount;
+            for (uint32_t d = 0; d < batch.drawCount; ++d) {
+                const auto draw = data<DrawIndexedCommand>(list.commandRange, batch.firstDraw + d);
+                triangles += draw.indexCount / 3 * draw.instanceCount;
+            }
+        }
+        EXPECT_EQ(counted, triangles);
+        return triangles;
+    };
+    add(large, {}, 9), add(large, {}, 9);
+    build();
+    EXPECT_LT(drawn(lists.opaque), 2 * all * 8 / 10);
+    EXPECT_EQ(drawn(shadow()), 2 * all);
+    for (uint32_t d = 0; d < lists.opaque.batches[0].drawCount; ++d)
+        EXPECT_EQ(data<DrawIndexedCommand>(lists.opaque.commandRange, d).instanceCount, 2u);
+    instances[1].worldFromLocal[0].x = -1;
+    build();
+    EXPECT_LT(drawn(lists.opaque), 2 * all * 8 / 10) << "mirrored";
+
+    const MaterialHandle both = material([](MaterialDesc& d) { d.doubleSided = true; });
+    const MaterialHandle glass = material([](MaterialDesc& d) { d.alphaMode = AlphaMode::blend; });
+    for (Instance& instance : instances) instance.material = both;
+    build();
+    EXPECT_EQ(drawn(lists.opaque), 2 * all);
+    for (Instance& instance : instances) instance.material = glass;
+    build();
+    EXPECT_EQ(drawn(lists.blended), 2 * all);
+    EXPECT_EQ(data<DrawIndexedCommand>(lists.blended.commandRange, 0).firstIndex,
+              geometry.find(large)->firstIndex) << "in the order that they were given in";
+    for (Instance& instance : instances) instance.material = {};
+    ASSERT_TRUE(geometry.update(large, desc));
+    build();
+    EXPECT_EQ(drawn(lists.opaque), 2 * all) << "what was moved may face any way";
+}
+
 TEST_F(DrawListTest, InstanceDataHoldsTheTransformByRows) {
     Instance& instance = add(cube, {}, 0);
     instance.worldFromLocal = {1, 2, 3, 4, 5, 6, 7, 8, 10, 11, 12, 13};

@@ -2,6 +2,7 @@
 find_package(Threads REQUIRED)
 add_executable(frame_test
   draw_list_test.cpp
+  facing_groups_test.cpp
   frame_plan_test.cpp
   geometry_store_test.cpp
   instance_world_test.cpp

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
@@ -112,6 +113,26 @@ TEST_F(GeometryStoreTest, ADestroyedMeshesPlaceIsUsedAgain) {
     expectHolds(second, makeSphere(5, 5));
     store.destroy(first);
     EXPECT_NE(store.find(again), nullptr) << "destroying a stale handle does nothing";
+}
+
+TEST_F(GeometryStoreTest, LevelsSortedByFacingHoldTheTrianglesOfTheirLevel) {
+    const Shape sphere = makeSphere(16, 24);
+    const MeshHandle handle = *store.create(sphere.desc());
+    const GpuMesh& mesh = *store.find(handle);
+    expectHolds(handle, sphere);
+    ASSERT_GE(mesh.groupedLods, 2u);
+    EXPECT_NE(mesh.lods[0].firstIndex, mesh.firstIndex);
+    std::vector<uint32_t> sorted(mesh.indexCount), given = sphere.indices;
+    for (uint32_t i = 0; i < mesh.indexCount; ++i)
+        sorted[i] = device.read<uint32_t>(store.indices(), mesh.lods[0].firstIndex + i);
+    std::ranges::sort(sorted);
+    std::ranges::sort(given);
+    EXPECT_EQ(sorted, given);
+    for (uint32_t lod = 0; lod < mesh.groupedLods; ++lod)
+        EXPECT_EQ(mesh.facing[lod].firstIndex[mesh.facing[lod].count], mesh.lods[lod].indexCount);
+    store.destroy(handle);
+    const MeshHandle again = *store.create(sphere.desc());
+    EXPECT_EQ(store.find(again)->firstIndex, 0u) << "all of its place is free again";
 }
 
 TEST_F(GeometryStoreTest, BoundsAndFlagsComeFromTheData) {
