@@ -87,7 +87,7 @@ void ShadowSchedule::listCasters(const Inputs& in, uint32_t index, JobSystem& jo
     }
     jobs.forRanges(uint32_t(requests.size()), 1, [&](uint32_t begin, uint32_t end) {
         for (uint32_t i = begin; i < end; ++i)
-            lists_[first + i].arrange(in.worlds, *in.geometry, true);
+            lists_[first + i].arrange(in.worlds, *in.geometry, {.casters = true});
     });
 }
 
