@@ -47,15 +47,15 @@ BrdfTable makeBrdfTable(JobSystem& jobs, uint32_t size) {
         for (uint32_t y = begin; y < end; ++y)
             for (uint32_t x = 0; x < size; ++x)
                 table.texels[size_t(y) * size + x] = integrateBrdf(
-                    (float(x) + 0.5f) / float(size), (float(y) + 0.5f) / float(size), kSamples);
+                    float(x) / float(size - 1), float(y) / float(size - 1), kSamples);
     });
     return table;
 }
 
 vec2 BrdfTable::lookUp(float nDotV, float roughness) const {
     const float limit = float(size) - 1;
-    const float x = std::clamp(nDotV * float(size) - 0.5f, 0.0f, limit);
-    const float y = std::clamp(roughness * float(size) - 0.5f, 0.0f, limit);
+    const float x = std::clamp(nDotV * limit, 0.0f, limit);
+    const float y = std::clamp(roughness * limit, 0.0f, limit);
     const uint32_t x0 = uint32_t(x), y0 = uint32_t(y);
     const uint32_t x1 = std::min(x0 + 1, size - 1), y1 = std::min(y0 + 1, size - 1);
     const auto at = [&](uint32_t column, uint32_t row) {

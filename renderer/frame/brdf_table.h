@@ -3,13 +3,15 @@
 
 #include "engine/core/jobs.h"
 #include "engine/core/math.h"
+#include "interop/brdf.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace rushlight {
 
-/// Columns: nDotV, rows: perceptual roughness, both at texel centres ((i + 0.5) / size). A texel (x, y) means that
+/// Columns: nDotV, rows: perceptual roughness, both i / (size - 1): a clamped look-up is then exact at roughness 1, where
+/// the albedo falls steeply (interop::brdfTableCoordinates). A texel (x, y) means that
 /// the directional albedo of the specular lobe is f0 * x + y (interop::specularAlbedo). Format rg16f when uploaded.
 struct BrdfTable {
     uint32_t size = 0;
@@ -20,7 +22,7 @@ struct BrdfTable {
     std::vector<uint16_t> halves() const;  ///< two a texel
 };
 
-inline constexpr uint32_t kBrdfTableSize = 64;
+inline constexpr uint32_t kBrdfTableSize = RL_BRDF_TABLE_SIZE;
 
 /// Karis 2013, "Real Shading in Unreal Engine 4", with the exact height-correlated Smith term and sampling of visible
 /// normals. The same result for any number of threads.

@@ -43,7 +43,7 @@ LitSurface makeLitSurface(vec3 position, float viewDepth, vec3 view, vec3 normal
     s.tint = vec3(0.0);
     s.flow = vec3(0.0);
     float nDotV = clamp(dot(normal, view), kMinNdotV, 1.0);
-    s.table = textureLod(brdfTable, vec2(nDotV, clampRoughness(roughness)), 0.0).xy;
+    s.table = textureLod(brdfTable, brdfTableCoordinates(nDotV, roughness), 0.0).xy;
     s.point = makeShadingPoint(baseColor, metallic, roughness, normal, view, s.table);
     return s;
 }

@@ -51,6 +51,13 @@ RL_INLINE vec3 fresnelSchlick(vec3 f0, float vDotH) {
 /// `table` = the split-sum integrals at (nDotV, roughness): the specular albedo under white light is f0 * x + y.
 RL_INLINE vec3 specularAlbedo(vec3 f0, vec2 table) { return f0 * table.x + vec3(table.y); }
 
+#define RL_BRDF_TABLE_SIZE 64
+/// Where that table holds (nDotV, roughness), in texture coordinates: the outermost texels' centres are 0 and 1.
+RL_INLINE vec2 brdfTableCoordinates(float nDotV, float roughness) {
+    float size = float(RL_BRDF_TABLE_SIZE);
+    return vec2(nDotV, clampRoughness(roughness)) * ((size - 1.0f) / size) + vec2(0.5f / size);
+}
+
 /// Turquin's factor on the single-scattering specular lobe that gives back what masking lost.
 RL_INLINE vec3 multipleScatteringScale(vec3 f0, vec2 table) {
     return vec3(1.0f) + f0 * (1.0f / max(table.x + table.y, 1e-3f) - 1.0f);

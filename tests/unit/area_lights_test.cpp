@@ -14,7 +14,7 @@ namespace {
 
 using namespace interop;
 
-constexpr uint32_t kSamples = 1 << 16;
+constexpr uint32_t kSamples = 1 << 18;  // a sharp lobe sees few of them
 
 /// A point of a light's surface, relative to the lit point, its unit normal, and the area it stands for.
 struct SurfacePoint {
