@@ -97,11 +97,11 @@ float filterShadow(sampler2DArray map, ShadowLookup at) {
 // What the plane is moved towards the light, in texels of the map: for casters of coarser levels of detail, and for what
 // is lost of the plane's steepness.
 float shadowSlack(float tangent, float guessed) {
-    return (0.6 + 1.5 * guessed) + ((0.15 + guessed) + 0.02 * tangent) * tangent;
+    return (0.5 + guessed) + ((0.2 + 0.5 * guessed) + 0.02 * tangent) * tangent;
 }
 // No light comes from behind a triangle, whatever the shading normal says; softly, as a curve's triangles are many.
 float beforeTriangle(vec4 facing, vec3 towardsLight) {
-    return clamp(0.9 + 8.0 * dot(facing.xyz, towardsLight) + facing.w, 0.0, 1.0);
+    return clamp(0.7 + 8.0 * dot(facing.xyz, towardsLight) + facing.w, 0.0, 1.0);
 }
 // The plane's steepest tangent against the light that is followed.
 const float kSteepestTangent = 20.0;
