@@ -43,10 +43,10 @@ uint64_t identityOf(const PunctualLight& light, float range) {
     return hashBytes(parts, sizeof parts, 11) | 1;
 }
 
-// The texels a side for which a texel on a surface at a third of the range is a pixel of the camera's.
+// The texels a side for which a texel on a surface at 60 % of the range is a pixel of the camera's.
 float texelsOnScreen(const CameraMatrices& camera, uint32_t targetHeight,
                      const PunctualLight& light, float range) {
-    const float distance = range / 3;
+    const float distance = range * 0.6f;
     const float tangent = isCube(light) ? 1 : spotTangent(light);
     float pixelsPerMetre =
         float(targetHeight) / (2 * (camera.perspective ? camera.tanHalfY : camera.halfHeight));

@@ -67,9 +67,11 @@ Result<void> DebugViewPass::add(FramePlan& plan, const Inputs& inputs) {
     Payload payload{{*pipeline, appendUniforms(*inputs.data, uniformsOf(inputs)), {}}, {}};
     ImageId reads[4];
     if (shadow && !nothing) {
-        payload.draw.textures[0] = {RL_TEXTURE_SOURCE0, inputs.shadowMap, nearest_};
-        payload.draw.textures[1] = {RL_TEXTURE_SOURCE1, inputs.shadowAtlas, nearest_};
-        reads[0] = inputs.shadowMap, reads[1] = inputs.shadowAtlas;
+        // Both units need a texture; what is not there has no cell.
+        reads[0] = inputs.shadowMap ? inputs.shadowMap : inputs.shadowAtlas;
+        reads[1] = inputs.shadowAtlas ? inputs.shadowAtlas : inputs.shadowMap;
+        payload.draw.textures[0] = {RL_TEXTURE_SOURCE0, reads[0], nearest_};
+        payload.draw.textures[1] = {RL_TEXTURE_SOURCE1, reads[1], nearest_};
     } else {
         const GBufferPass::Outputs& g = inputs.gbuffer;
         payload.draw.textures[0] = {RL_TEXTURE_GBUFFER0, g.target0, nearest_};

@@ -26,6 +26,7 @@ float punctualVisibility(int record, LitSurface s, vec3 towardsLight, float dist
     vec2 across = vec2(dot(right.xyz, s.facing.xyz), dot(up.xyz, s.facing.xyz)) / more.z;
     ShadowLookup at;
     at.size = float(textureSize(shadowAtlas, 0).x);
+    at.texelSize = 1.0 / at.size;
     at.uv = vec2(dot(right.xyz, p), dot(up.xyz, p)) / w + vec2(right.w, up.w);
     at.layer = 0.0;
     at.slope = across * (-forward.w * more.y / (distance * cosine));

@@ -15,6 +15,7 @@ struct ShadowLookup {
     float reference;  // depth of the surface
     vec2 slope;       // of its plane's depth, per texel
     float size;       // of the map, texels a side
+    float texelSize;  // 1 / size
     float softness;   // SHADOW_SOFT: penumbra's radius in texels, per depth between what casts and the surface
     float limit;      // SHADOW_SOFT: of that radius
 };
@@ -22,7 +23,7 @@ struct ShadowLookup {
 // 1 for each texel of the block of 2x2 whose lower left one is `corner` from the place's texel; order of textureGather:
 // (0,1) (1,1) (1,0) (0,0). `base`: depth of the plane at the place's texel.
 vec4 litTexels(sampler2DArray map, ShadowLookup at, vec2 texel, vec2 corner, float base) {
-    vec4 depths = textureGather(map, vec3((texel + corner + 1.0) / at.size, at.layer));
+    vec4 depths = textureGather(map, vec3((texel + corner + 1.0) * at.texelSize, at.layer));
     float low = base + dot(at.slope, corner);
     vec4 plane = low + at.slope.x * vec4(0.0, 1.0, 1.0, 0.0) + at.slope.y * vec4(1.0, 1.0, 0.0, 0.0);
     return step(depths, plane);
@@ -53,7 +54,7 @@ float filterShadow(sampler2DArray map, ShadowLookup at) {
     float sum = 0.0, count = 0.0;
     for (int i = 0; i < 8; ++i) {
         vec2 offset = diskPoint(i, 8.0, turn) * reach;
-        vec4 depths = textureGather(map, vec3(at.uv + offset / at.size, at.layer));
+        vec4 depths = textureGather(map, vec3(at.uv + offset * at.texelSize, at.layer));
         vec4 casts = vec4(1.0) - step(depths, vec4(at.reference + dot(at.slope, offset) + 0.5 * (abs(at.slope.x) + abs(at.slope.y))));
         sum += dot(depths, casts);
         count += dot(casts, vec4(1.0));
@@ -97,11 +98,11 @@ float filterShadow(sampler2DArray map, ShadowLookup at) {
 // What the plane is moved towards the light, in texels of the map: for casters of coarser levels of detail, and for what
 // is lost of the plane's steepness.
 float shadowSlack(float tangent, float guessed) {
-    return (0.6 + 1.5 * guessed) + ((0.15 + guessed) + 0.02 * tangent) * tangent;
+    return (0.5 + guessed) + ((0.2 + 0.5 * guessed) + 0.02 * tangent) * tangent;
 }
 // No light comes from behind a triangle, whatever the shading normal says; softly, as a curve's triangles are many.
 float beforeTriangle(vec4 facing, vec3 towardsLight) {
-    return clamp(0.9 + 8.0 * dot(facing.xyz, towardsLight) + facing.w, 0.0, 1.0);
+    return clamp(0.7 + 8.0 * dot(facing.xyz, towardsLight) + facing.w, 0.0, 1.0);
 }
 // The plane's steepest tangent against the light that is followed.
 const float kSteepestTangent = 20.0;

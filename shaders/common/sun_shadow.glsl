@@ -20,6 +20,7 @@ float cascadeVisibility(LitSurface s, vec3 towardsLight, vec4 cascade, float lay
     at.slope = tangents * -depthPerTexel;
     at.reference = min(dot(L_SHADOW_ROW(2), p) + depthPerTexel * shadowSlack(length(tangents), s.facing.w), 1.0);
     at.size = L_SHADOW_SETTINGS.y;
+    at.texelSize = L_SHADOW_SETTINGS.z;
 #if defined(SHADOW_SOFT)
     at.softness = L_SHADOW_SOFTNESS.x / cascade.w;
     at.limit = float(RL_SHADOW_RIM_SOFT) - 2.0;

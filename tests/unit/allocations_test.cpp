@@ -36,6 +36,20 @@ TEST(Allocations, WarmFramesOfEveryShownImageMakeNone) {
     }
 }
 
+TEST(Allocations, WarmFramesWithShadowsOfAllLightsMakeNone) {
+    uint32_t lights = 0;
+    for (uint64_t seed = 0; seed < 6; ++seed) {
+        const auto renderer = nullRenderer();
+        RandomScene scene(*renderer, seed);
+        for (PunctualLight& light : scene.lights) light.castsShadow = true;
+        scene.settings.lightShadows = true;
+        scene.settings.shadowAtlasSize = 1024;
+        EXPECT_EQ(allocationsOfWarmFrames(*renderer, scene, {0, 320, 200}), 0u) << "seed " << seed;
+        lights += renderer->report().shadowLights;
+    }
+    EXPECT_GT(lights, 5u);
+}
+
 TEST(Allocations, WarmCapturesMakeNone) {
     const auto renderer = nullRenderer();
     RandomScene scene(*renderer, 1);
