@@ -41,7 +41,8 @@ vec3 cosineDirection(const vec3& normal, RayRandom& random) {
 
 }  // namespace
 
-vec3 PathTracer::directLight(const Surface& s, RayRandom& random) const {
+// Irradiance of suns, point and spot lights.
+vec3 PathTracer::lampLight(const Surface& s, RayRandom& random) const {
     vec3 sum(0);
     for (const DirectionalLight& sun : light_.suns()) {
         const float cosine = -glm::dot(s.normal, sun.direction);
@@ -49,10 +50,10 @@ vec3 PathTracer::directLight(const Surface& s, RayRandom& random) const {
         if (sun.castsShadow && scene_.occluded({s.origin, -sun.direction})) continue;
         sum += sun.illuminance * cosine;
     }
-    return s.albedo * interop::kInversePi * (sum + punctualLight(s, random) + skyLight(s, random));
+    return sum + punctualLight(s, random);
 }
 
-// Irradiance of all, by one shadow ray: a light is drawn by what it would give if nothing were in between.
+// Irradiance of all lamps, by one shadow ray: a light is drawn by what it would give if nothing were in between.
 vec3 PathTracer::punctualLight(const Surface& s, RayRandom& random) const {
     float total = 0, chosenWeight = 0;
     vec3 chosen(0), towards(0);
@@ -115,10 +116,15 @@ vec3 PathTracer::radiance(const vec3& origin, const vec3& direction, float densi
         const float nDotV = std::clamp(-glm::dot(s.normal, ray.direction), interop::kMinNdotV, 1.0f);
         s.albedo = hemisphericalAlbedo(surface, nDotV, table_);
         s.origin = offsetOrigin(hit.position, s.normal);
-        sum += throughput * directLight(s, random);
+        const vec3 outgoing = throughput * s.albedo;
+        sum += outgoing * interop::kInversePi * lampLight(s, random);
+        if (known_ && bounce == 0)
+            if (const vec4 known = sampleIrradiance(*known_, hit.position, s.normal); known.w == 1)
+                return sum + outgoing * vec3(known);
+        sum += outgoing * interop::kInversePi * skyLight(s, random);
         if (bounce >= bounces_) return sum;
 
-        throughput *= s.albedo;
+        throughput = outgoing;
         if (bounce >= kSureBounces) {
             const float survival =
                 std::min(std::max(throughput.x, std::max(throughput.y, throughput.z)), kMostSurvival);

@@ -3,6 +3,7 @@
 // shared BRDF (environmentWeights): for light that is gathered over a hemisphere anyway.
 
 #include "renderer/frame/brdf_table.h"
+#include "renderer/frame/irradiance_volume.h"
 #include "renderer/raytrace/bake_light.h"
 #include "renderer/raytrace/ray_scene.h"
 
@@ -11,9 +12,10 @@ namespace rushlight {
 class PathTracer {
 public:
     /// All must outlive it. `bounces`: at most so many after the first surface.
+    /// `known`: where it covers the first surface, its light is taken instead of bouncing on; null: none.
     PathTracer(const RayScene& scene, const BakeLight& light, const BrdfTable& table,
-               uint32_t bounces)
-        : scene_(scene), light_(light), table_(table), bounces_(bounces) {}
+               uint32_t bounces, const IrradianceVolume* known = nullptr)
+        : scene_(scene), light_(light), table_(table), bounces_(bounces), known_(known) {}
 
     /// Radiance that arrives at `origin` from `direction` (unit). `density` is that with which the direction was drawn
     /// where sampleSky() was drawn from as well, per steradian and times the number of samples each: light of the sky
@@ -26,7 +28,7 @@ public:
 
 private:
     struct Surface;
-    vec3 directLight(const Surface& surface, RayRandom& random) const;
+    vec3 lampLight(const Surface& surface, RayRandom& random) const;
     vec3 punctualLight(const Surface& surface, RayRandom& random) const;
     vec3 skyLight(const Surface& surface, RayRandom& random) const;
 
@@ -34,6 +36,7 @@ private:
     const BakeLight& light_;
     const BrdfTable& table_;
     uint32_t bounces_;
+    const IrradianceVolume* known_;
 };
 
 }  // namespace rushlight

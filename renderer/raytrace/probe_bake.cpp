@@ -10,6 +10,7 @@ namespace rushlight {
 namespace {
 
 constexpr uint32_t kProbesPerRound = 256;  // between two reports of progress
+constexpr uint32_t kGatherPasses = 2;
 constexpr float kMostRadiance = 65504;
 
 Result<void> checkSamples(uint32_t samples) {
@@ -59,8 +60,21 @@ void limit(IrradianceProbe& probe) {
     }
 }
 
+/// New light for a probe that stays in its place; `share` of it.
+void regather(const PathTracer& tracer, IrradianceVolume& volume, uint32_t index, uint32_t samples,
+              uint64_t seed, float share) {
+    const IrradianceProbe old = volume.probe(index);
+    IrradianceProbe now = gather(tracer, volume.grid.position(index) + old.offset, samples, seed);
+    limit(now);
+    now.mean = glm::mix(old.mean, now.mean, share);
+    for (int c = 0; c < 3; ++c) now.flow[c] = glm::mix(old.flow[c], now.flow[c], share);
+    now.offset = old.offset;
+    now.weight = old.weight;
+    volume.setProbe(index, now);
+}
+
 /// Gives probes without a place of their own the mean of their neighbours, from the outermost inwards.
-void fillHidden(IrradianceVolume& volume, std::vector<uint8_t>& has) {
+void fillHidden(IrradianceVolume& volume, std::vector<uint8_t> has) {
     const ProbeGrid& g = volume.grid;
     for (bool more = true; more;) {
         more = false;
@@ -135,6 +149,7 @@ Result<IrradianceVolume> bakeIrradiance(const RayScene& scene, const BakeLightin
     const PathTracer tracer(scene, *light, table, desc.bounces);
     IrradianceVolume volume = makeIrradianceVolume(*grid);
     std::vector<uint8_t> open(grid->count());
+    const uint32_t steps = grid->count() * (1 + kGatherPasses);
     for (uint32_t first = 0; first < grid->count(); first += kProbesPerRound) {
         const uint32_t count = std::min(grid->count() - first, kProbesPerRound);
         jobs.forRanges(count, 1, [&](uint32_t begin, uint32_t end) {
@@ -150,9 +165,24 @@ Result<IrradianceVolume> bakeIrradiance(const RayScene& scene, const BakeLightin
                 measureDistances(scene, volume, i, position);
             }
         });
-        if (desc.progress) desc.progress(desc.user, first + count, grid->count());
+        if (desc.progress) desc.progress(desc.user, first + count, steps);
     }
     fillHidden(volume, open);
+    for (uint32_t pass = 1; pass <= kGatherPasses; ++pass) {
+        const IrradianceVolume known = volume;
+        const PathTracer gatherer(scene, *light, table, desc.bounces, &known);
+        for (uint32_t first = 0; first < grid->count(); first += kProbesPerRound) {
+            const uint32_t count = std::min(grid->count() - first, kProbesPerRound);
+            jobs.forRanges(count, 1, [&](uint32_t begin, uint32_t end) {
+                for (uint32_t i = first + begin; i < first + end; ++i)
+                    if (open[i])
+                        regather(gatherer, volume, i, desc.samples, i + pass * kMaxProbes, 1);
+            });
+            if (desc.progress)
+                desc.progress(desc.user, pass * grid->count() + first + count, steps);
+        }
+        fillHidden(volume, open);
+    }
     volume.lightHash = hashOf(lighting);
     return volume;
 }
@@ -174,17 +204,9 @@ Result<void> ProbeUpdater::update(const BakeLighting& lighting, uint32_t count, 
     jobs_.forRanges(count, 1, [&](uint32_t begin, uint32_t end) {
         for (uint32_t k = begin; k < end; ++k) {
             const uint32_t i = (next_ + k) % all;
-            const IrradianceProbe old = volume_.probe(i);
-            if (old.weight < 0.5f) continue;
+            if (volume_.probe(i).weight < 0.5f) continue;
             const uint64_t seed = i + (rounds_ + (next_ + k >= all)) * kMaxProbes;
-            IrradianceProbe now =
-                gather(tracer, volume_.grid.position(i) + old.offset, samples, seed);
-            limit(now);
-            now.mean = glm::mix(old.mean, now.mean, share);
-            for (int c = 0; c < 3; ++c) now.flow[c] = glm::mix(old.flow[c], now.flow[c], share);
-            now.offset = old.offset;
-            now.weight = old.weight;
-            volume_.setProbe(i, now);
+            regather(tracer, volume_, i, samples, seed, share);
         }
     });
     const uint64_t hash = hashOf(lighting);

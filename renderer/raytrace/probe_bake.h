@@ -10,10 +10,10 @@ namespace rushlight {
 
 struct ProbeBakeDesc {
     float spacing = 0;       ///< metres between probes; 0: as fine as kAutoProbes of them are
-    uint32_t samples = 256;  ///< paths a probe, 16 to 65,536
+    uint32_t samples = 256;  ///< rays a probe and pass, 16 to 65,536
     uint32_t bounces = 32;   ///< at most so many; dim paths end earlier, without bias
     Aabb bounds;             ///< to be filled with probes; empty: those of the scene
-    /// Told how many probes of how many are done, from the thread that bakes.
+    /// Told how many probes of how many are done, over all passes, from the thread that bakes.
     void (*progress)(void* user, uint32_t done, uint32_t count) = nullptr;
     void* user = nullptr;
 };
@@ -23,7 +23,8 @@ inline constexpr uint32_t kAutoProbes = 4096;
 /// Probes in the middle of equal cells that fill `bounds`. An Error when that takes more than kMaxProbes.
 Result<ProbeGrid> placeProbes(const Aabb& bounds, float spacing);
 
-/// The same bytes for any number of threads. An Error when the scene is empty or a value is out of range.
+/// Traces paths first, then twice gathers anew what the probes themselves know of the surfaces around: that keeps the
+/// light of all bounces and spreads the noise of each probe's paths over all. The same bytes for any number of threads. An Error when the scene is empty or a value is out of range.
 Result<IrradianceVolume> bakeIrradiance(const RayScene& scene, const BakeLighting& lighting,
                                         const ProbeBakeDesc& desc, JobSystem& jobs);
 

@@ -73,12 +73,16 @@ RL_INLINE float probeVisibility(vec3 normal, vec3 toProbe, float distance, vec2 
 }
 
 /// Irradiance over pi of one colour at a normal, over its mean radiance. `direction`: flow over mean; length up to 1.
+/// Two bands are exactly 1 + 2 direction.n, which is also the light of an even half of the sphere (length 1/2); for more
+/// directed light that would be negative behind, and one lobe of the same mean takes over, up to the 4 of light from one
+/// direction (the idea: Hazel 2015).
 RL_INLINE float irradianceShape(vec3 direction, vec3 normal) {
-    float r = min(length(direction), 0.999f);
-    float q = 0.5f + 0.5f * dot(direction, normal) / max(r, 1e-6f);
-    float p = 1.0f + 2.0f * r;
-    float a = (1.0f - r) / (1.0f + r);
-    return a + (1.0f - a) * (p + 1.0f) * pow(clamp(q, 1e-6f, 1.0f), p);
+    float r = length(direction);
+    float along = dot(direction, normal);
+    float q = 0.5f + 0.5f * along / max(r, 1e-6f);
+    float p = clamp(4.0f * r - 1.0f, 1.0f, 3.0f);
+    float lobe = (p + 1.0f) * pow(clamp(q, 1e-6f, 1.0f), p);
+    return r <= 0.5f ? 1.0f + 2.0f * along : lobe;
 }
 
 /// How much a volume counts at `grid`, in cells from its first probe: 1 within half a cell of the grid, 0 a cell out.

@@ -45,7 +45,16 @@ TEST(IrradianceVolume, FourCornersAroundAPointInterpolateALinearFieldExactly) {
     }
 }
 
-// Hazel 2015: the mean over all normals is the mean radiance; from one direction alone it is 4 times that at most.
+TEST(IrradianceVolume, LightOfHalfTheSphereIsExact) {
+    const vec3 up(0, 1, 0);
+    for (float angle = 0; angle < kPi; angle += 0.1f) {
+        const vec3 n(std::sin(angle), std::cos(angle), 0);
+        EXPECT_NEAR(interop::irradianceShape(0.5f * up, n), 1 + n.y, 1e-5f);
+        EXPECT_NEAR(interop::irradianceShape(0.5001f * up, n), 1 + n.y, 1e-3f);
+    }
+}
+
+// The mean over all normals is the mean radiance; from one direction alone it is 4 times that at most.
 TEST(IrradianceVolume, TheShapeOfIrradianceKeepsItsEnergy) {
     for (const float r : {0.0f, 0.3f, 0.7f, 0.99f}) {
         const vec3 axis = glm::normalize(vec3(1, 2, -1)), direction = r * axis;
@@ -57,12 +66,12 @@ TEST(IrradianceVolume, TheShapeOfIrradianceKeepsItsEnergy) {
             const vec3 d(ring * std::cos(phi), ring * std::sin(phi), z);
             const float shape = interop::irradianceShape(direction, d);
             EXPECT_GE(shape, 0);
-            EXPECT_LE(shape, 4);
+            EXPECT_LE(shape, 4.001f);
             sum += double(shape);
             along += double(shape * glm::dot(d, axis));
         }
         EXPECT_NEAR(sum / n, 1, 1e-3);
-        EXPECT_NEAR(along / n, double(r) * 2 / 3, 0.1 * double(r) + 1e-3);  // nearly the second band's
+        EXPECT_NEAR(along / n, double(r) * 2 / 3, 0.07 * double(r) + 1e-3);  // nearly the second band's
     }
 }
 
@@ -82,7 +91,7 @@ TEST(IrradianceVolume, IsSmoothAndFadesOutBeyondItsBorder) {
         vec3 last(sampleIrradiance(v, a, n));
         for (int k = 1; k < 400; ++k) {
             const vec3 now(sampleIrradiance(v, a + d * (float(k) * 1e-3f), n));
-            EXPECT_LT(glm::distance(now, last), 0.1f);
+            EXPECT_LT(glm::distance(now, last), 0.2f);
             last = now;
         }
     }
