@@ -89,10 +89,13 @@ void CullVolume::add(const Frustum& frustum) {
 
 // Fourier-Motzkin elimination of the distance along `direction`: planes that face along it stay, planes that face
 // against it bound nothing any more, and of each pair of one and the other remains the combination that is parallel to it.
-void addSwept(CullVolume& volume, const Frustum& seen, const vec3& direction, float margin) {
+void addSwept(CullVolume& volume, const Frustum& seen, const vec3& direction, float margin,
+              float behind) {
     const auto addMoved = [&](const vec3& normal, float offset) {
         const float length = glm::length(normal);
-        if (length > 1e-6f) volume.add(Plane{normal / length, offset / length + margin});
+        if (!(length > 1e-6f)) return;
+        const float back = std::max(glm::dot(normal, direction) / length, 0.0f) * behind;
+        volume.add(Plane{normal / length, offset / length + margin + back});
     };
     for (const Plane& kept : seen.planes) {
         if (kept.normal == vec3(0)) continue;

@@ -41,8 +41,9 @@ struct CullVolume {
 
 /// The volume that `seen` sweeps when it is moved without end along `direction` (unit), each plane
 /// moved outwards by `margin` metres: everything whose shadow, cast against `direction`, can fall
-/// into `seen`. Planes are added to `volume`.
-void addSwept(CullVolume& volume, const Frustum& seen, const vec3& direction, float margin);
+/// into `seen`, or into what lies up to `behind` metres against `direction` from it. Planes are added to `volume`.
+void addSwept(CullVolume& volume, const Frustum& seen, const vec3& direction, float margin,
+              float behind = 0);
 
 /// Bit i of `touching`: box i may be in the volume (never missing one that is). Bit i of `inside`:
 /// no part of it is outside.

@@ -15,7 +15,3 @@ add_library(rushlight_lighting STATIC
   vertex_packing.cpp)
 target_include_directories(rushlight_lighting PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/shaders>)
 target_link_libraries(rushlight_lighting PUBLIC rushlight_core rushlight_commands PRIVATE rushlight_options)
-
-# Writes ltc_table.cpp; built and run by hand.
-add_executable(fit_ltc EXCLUDE_FROM_ALL fit_ltc.cpp)
-target_link_libraries(fit_ltc PRIVATE rushlight_lighting rushlight_jobs rushlight_options)

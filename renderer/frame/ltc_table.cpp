@@ -1,4 +1,4 @@
-// Written by fit_ltc (renderer/frame/fit_ltc.cpp): inverse matrices of linearly transformed cosines
+// Written by fit_ltc (tests/bench/fit_ltc.cpp): inverse matrices of linearly transformed cosines
 // that were fitted to the specular lobe of shaders/interop/brdf.h. Rows of roughness, columns of
 // sqrt(1 - n.v), both from 0 to 1; an element is what interop::applyLtc takes.
 #include "renderer/frame/ltc_table.h"

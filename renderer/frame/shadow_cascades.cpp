@@ -46,12 +46,14 @@ float reachTexels(const ShadowCascades& cascades) { return 2 * cascades.rim; }
 
 }  // namespace
 
+// A filter compares its texels with the receiver's plane, which may lie far behind the receiver there: so may what casts.
 void ShadowCascades::addVolume(uint32_t index, const Frustum& camera, CullVolume& volume) const {
     const ShadowCascade& cascade = cascades[index];
     volume.add(cascade.frustum);
     if (cascade.followsCamera)
         addSwept(volume, camera, glm::normalize(vec3(rows[2])),
-                 reachTexels(*this) * cascade.metresPerTexel);
+                 reachTexels(*this) * cascade.metresPerTexel,
+                 rim * RL_STEEPEST_RECEIVER * cascade.metresPerTexel);
 }
 
 bool ShadowCascades::isFinerElsewhere(uint32_t index, const vec3& center,

@@ -27,7 +27,7 @@ layout(location = 13) flat LIGHTING_VARYING vec4 flatShadowRows[3];
 layout(location = 16) flat LIGHTING_VARYING vec4 flatShadowCascades[SHADOW_CASCADES];
 layout(location = 20) flat LIGHTING_VARYING vec4 flatShadowSettings;
 #if defined(SHADOW_SOFT)
-layout(location = 25) flat LIGHTING_VARYING vec4 flatShadowSoftness;
+layout(location = 26) flat LIGHTING_VARYING vec4 flatShadowSoftness;
 #endif
 #endif
 #if defined(CLUSTERED_LIGHTS)

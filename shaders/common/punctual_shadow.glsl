@@ -22,7 +22,7 @@ float punctualVisibility(int record, LitSurface s, vec3 towardsLight, float dist
     vec4 more = texelFetch(shadowFaces, texel + 3);
     float w = max(dot(forward.xyz, p), forward.w);  // behind a spot there is no light
     // 1 / w of a plane is linear in the tangents u, v of the view: w (u n.right + v n.up + n.forward) = n.p
-    float cosine = max(dot(s.facing.xyz, towardsLight), 1.0 / kSteepestTangent);
+    float cosine = max(dot(s.facing.xyz, towardsLight), 1.0 / RL_STEEPEST_RECEIVER);
     vec2 across = vec2(dot(right.xyz, s.facing.xyz), dot(up.xyz, s.facing.xyz)) / more.z;
     ShadowLookup at;
     at.size = float(textureSize(shadowAtlas, 0).x);

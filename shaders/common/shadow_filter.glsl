@@ -104,5 +104,3 @@ float shadowSlack(float tangent, float guessed) {
 float beforeTriangle(vec4 facing, vec3 towardsLight) {
     return clamp(0.7 + 8.0 * dot(facing.xyz, towardsLight) + facing.w, 0.0, 1.0);
 }
-// The plane's steepest tangent against the light that is followed.
-const float kSteepestTangent = 20.0;

@@ -10,7 +10,7 @@ layout(binding = RL_TEXTURE_SHADOW) uniform sampler2DArray shadowMap;
 
 float cascadeVisibility(LitSurface s, vec3 towardsLight, vec4 cascade, float layer) {
     vec4 p = vec4(s.position, 1.0);
-    float cosine = max(dot(s.facing.xyz, towardsLight), 1.0 / kSteepestTangent);
+    float cosine = max(dot(s.facing.xyz, towardsLight), 1.0 / RL_STEEPEST_RECEIVER);
     // The surface's plane: a metre along x its depth falls by n.x / n.l metres, and so for y.
     vec2 tangents = vec2(dot(L_SHADOW_ROW(0).xyz, s.facing.xyz), dot(L_SHADOW_ROW(1).xyz, s.facing.xyz)) / cosine;
     float depthPerTexel = L_SHADOW_SETTINGS.x * cascade.w;

@@ -12,6 +12,8 @@ RL_INTEROP_BEGIN
 #define RL_SHADOW_RIM 3
 #define RL_SHADOW_RIM_SOFT 18
 #define RL_CASCADE_BAND 0.05
+// The steepest tangent of a receiver's plane against the light that filters follow
+#define RL_STEEPEST_RECEIVER 20.0f
 // Side of the fog's froxels in pixels, their slices, and how many of these lie side by side in a row of their image
 #define RL_FOG_PIXELS 16
 #define RL_FOG_SLICES 64

@@ -56,7 +56,7 @@ vec3 clusteredScattering(LitSurface s, Piece piece, vec2 pixel) {
     count = int(texelFetch(clusterTexels, cluster * CLUSTER_WORDS + 1).x & 1023u);
     for (int i = 0; i < count; ++i) {
         LightSample light = sampleLight(first + i, s);
-        s.point.normal = light.direction;
+        s.facing = vec4(light.direction, 0.0);
 #if defined(PUNCTUAL_SHADOW)
         float record = texelFetch(lightTexels, light.texel + 3).x;
         if (record >= 0.0)
@@ -81,7 +81,7 @@ vec3 lightAt(vec3 position, float viewDepth, vec3 view, Piece piece, vec2 pixel)
         vec3 light = L_ILLUMINANCE(i).rgb * phase(-dot(towards, view));
 #if defined(SUN_SHADOW)
         // A point of air faces every light.
-        s.point.normal = towards;
+        s.facing = vec4(towards, 0.0);
         if (i == 0) light *= sunVisibility(s, towards);
 #endif
         sum += light;

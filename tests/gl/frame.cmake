@@ -1,6 +1,7 @@
 find_library(EGL_LIBRARY EGL REQUIRED)
 
 add_executable(frame_gl_test
+  all_features_gl_test.cpp
   allocations_gl_test.cpp
   culling_gl_test.cpp
   decals_gl_test.cpp

@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <thread>
 #include <vector>
 
 namespace rushlight {
@@ -271,6 +273,9 @@ TEST(RayScene, StartsNoThreadAndGivesTheSameForAnyNumberOfThem) {
             instances.back().mesh = MeshHandle{i + 1};
         }
         ASSERT_TRUE(scene->build(instances));
+        // A thread that was joined is listed for a moment more.
+        for (int wait = 0; wait < 200 && threadsOfTheProcess() != before; ++wait)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
         EXPECT_EQ(threadsOfTheProcess(), before);
         std::vector<float>& out = distances.emplace_back(20000, -1.0f);
         jobs.forRanges(20000, 64, [&](uint32_t begin, uint32_t end) {

@@ -10,7 +10,7 @@ int main() {
     const auto jobs = rushlight::createTbbJobs(2);
     const std::vector<rushlight::vec4> table = rushlight::fitLtcTable(*jobs, kSize);
     std::puts(
-        "// Written by fit_ltc (renderer/frame/fit_ltc.cpp): inverse matrices of linearly transformed cosines\n"
+        "// Written by fit_ltc (tests/bench/fit_ltc.cpp): inverse matrices of linearly transformed cosines\n"
         "// that were fitted to the specular lobe of shaders/interop/brdf.h. Rows of roughness, columns of\n"
         "// sqrt(1 - n.v), both from 0 to 1; an element is what interop::applyLtc takes.\n"
         "#include \"renderer/frame/ltc_table.h\"\n\n"

@@ -1,0 +1,160 @@
+// Everything at once, in every combination that shares a shader: it compiles, links, and draws finite light.
+
+#include "renderer/frame/irradiance_volume.h"
+#include "renderer/renderer.h"
+#include "tests/support/shapes.h"
+#include "tests/support/test_context.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rushlight {
+namespace {
+
+class AllFeaturesGl : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(context.valid()) << "no EGL surfaceless context";
+        RendererDesc desc;
+        desc.cacheDirectory = cache.path();
+        desc.loadGl = TestContext::load;
+        desc.debugOutput = true;
+        desc.validateCommands = true;
+        renderer = std::move(Renderer::create(desc).value());
+        addBoxes();
+        addLights();
+        input.view.viewFromWorld = glm::lookAt(vec3(4, 3, 6), vec3(0), vec3(0, 1, 0));
+        input.settings.smallObjectPixels = 0;
+        input.settings.lightShadows = true;
+        input.settings.shadowResolution = 256;
+        input.settings.shadowAtlasSize = 512;
+        input.settings.shadowTileSize = 128;
+    }
+    void TearDown() override { EXPECT_TRUE(!renderer || renderer->takeDebugMessages().empty()); }
+
+    void addBoxes() {
+        const MeshHandle cube = *renderer->createMesh(makeCube().desc("box"));
+        MaterialDesc glass;
+        glass.baseColor = {0.5f, 0.7f, 1, 0.4f};
+        glass.alphaMode = AlphaMode::blend;
+        const MaterialHandle blended = *renderer->createMaterial(glass);
+        const auto add = [&](const vec3& at, const vec3& size, MaterialHandle material) {
+            Instance box;
+            box.mesh = cube;
+            box.material = material;
+            for (int c = 0; c < 3; ++c) box.worldFromLocal[c] *= size[c];
+            box.worldFromLocal[3] = at;
+            boxes.push_back(box);
+        };
+        add({0, -2, 0}, {8, 1, 8}, {});
+        add({-1, 0, 0}, vec3(0.8f), {});
+        add({1.5f, 0, 1}, vec3(0.5f), blended);
+        input.instances = boxes;
+        decal.material = *renderer->createDecalMaterial({.label = "paint"});
+        decal.worldFromDecal = mat4x3(vec3(2, 0, 0), vec3(0, 0, -2), vec3(0, 2, 0), vec3(0, -1, 0));
+        decal.baseColor = {1, 0.2f, 0.1f, 0.8f};
+    }
+    void addLights() {
+        sun.direction = glm::normalize(vec3(-1, -2, -0.5f));
+        sun.angularRadius = 0.01f;
+        lamp.position = {2, 2, 2};
+        lamp.intensity = vec3(20);
+        lamp.radius = 0.05f;
+        lamp.castsShadow = true;
+        torch = lamp;
+        torch.position = {-3, 2, 3};
+        torch.castsShadow = false;
+        area.position = {0, 3, -2};
+        area.luminance = vec3(4);
+        area.halfX = {1, 0, 0};
+        area.halfY = {0, 0, 1};
+        std::vector<vec3> sky(8 * 4, vec3(0.4f, 0.5f, 0.7f));
+        environment = *renderer->createEnvironment({"sky", 8, 4, sky});
+    }
+    void expectFinite(const char* what) {
+        CapturedImage image;
+        const auto ticket = renderer->renderOffscreen(input, 96, 64, CaptureKind::hdr);
+        ASSERT_TRUE(ticket) << what << ": " << ticket.error().text();
+        ASSERT_TRUE(renderer->takeCapture(*ticket, true, image)) << what;
+        float sum = 0;
+        for (const float value : image.rgba32f) {
+            ASSERT_TRUE(std::isfinite(value)) << what;
+            sum += value;
+        }
+        EXPECT_GT(sum, 100) << what;
+    }
+
+    TestContext context;
+    TemporaryDirectory cache;
+    std::unique_ptr<Renderer> renderer;
+    std::vector<Instance> boxes;
+    Decal decal;
+    DirectionalLight sun;
+    PunctualLight lamp, torch;
+    AreaLight area;
+    EnvironmentHandle environment;
+    FrameInput input;
+};
+
+TEST_F(AllFeaturesGl, GoTogether) {
+    const PunctualLight lamps[] = {lamp, torch};
+    for (const ShadowFilter filter : {ShadowFilter::hard, ShadowFilter::pcf, ShadowFilter::soft})
+        for (const bool sky : {false, true}) {
+            SCOPED_TRACE(testing::Message() << "filter " << int(filter) << ", sky " << sky);
+            input.settings.shadowFilter = filter;
+            input.lighting.directional = {&sun, 1};
+            input.lighting.punctual = lamps;
+            input.lighting.area = {&area, 1};
+            input.lighting.environment = sky ? environment : EnvironmentHandle{};
+            input.lighting.background = sky ? Background::environment : Background::color;
+            input.lighting.ambientSky = input.lighting.ambientGround = vec3(sky ? 0 : 0.3f);
+            input.lighting.fog = {};
+            input.decals = {};
+            input.settings.ambientOcclusion = AmbientOcclusion::off;
+            input.settings.reflections = false;
+            expectFinite("lights and shadows");
+            input.settings.ambientOcclusion = AmbientOcclusion::high;
+            expectFinite("ambient occlusion");
+            input.settings.reflections = true;
+            expectFinite("reflections");
+            input.lighting.fog.density = 0.05f;
+            expectFinite("fog");
+            input.decals = {&decal, 1};
+            expectFinite("decals");
+        }
+}
+
+TEST_F(AllFeaturesGl, GoTogetherInTheLightOfProbes) {
+    IrradianceVolume volume =
+        makeIrradianceVolume({vec3(-4, -2, -4), vec3(4), glm::uvec3(3)});
+    for (uint32_t i = 0; i < volume.grid.count(); ++i) {
+        IrradianceProbe probe;
+        probe.mean = {0.4f, 0.5f, 0.6f};
+        volume.setProbe(i, probe);
+        for (uint32_t k = 0; k < kProbeDistances; ++k) volume.setDistance(i, k, {10, 1});
+    }
+    const auto handle = renderer->createIrradianceVolume(volume);
+    ASSERT_TRUE(handle) << handle.error().text();
+    const PunctualLight lamps[] = {lamp, torch};
+    for (const bool sky : {false, true}) {
+        SCOPED_TRACE(testing::Message() << "sky " << sky);
+        input.lighting.irradianceVolume = *handle;
+        input.lighting.environment = sky ? environment : EnvironmentHandle{};
+        input.settings.shadowFilter = ShadowFilter::soft;
+        input.settings.ambientOcclusion = AmbientOcclusion::medium;
+        input.lighting.directional = {&sun, 1};
+        input.lighting.punctual = lamps;
+        input.lighting.area = {&area, 1};
+        input.settings.reflections = false;
+        input.lighting.fog = {};
+        expectFinite("lights and shadows");
+        input.settings.reflections = true;
+        expectFinite("reflections");
+        input.lighting.fog.density = 0.05f;
+        expectFinite("fog");
+    }
+}
+
+}  // namespace
+}  // namespace rushlight
