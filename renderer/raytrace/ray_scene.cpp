@@ -139,7 +139,7 @@ RayScene::~RayScene() = default;
 
 Result<std::unique_ptr<RayScene>> RayScene::create(JobSystem& jobs) {
     auto state = std::make_unique<State>(jobs);
-    // One thread: Embree then builds where it is called.
+    // One thread: Embree then builds where it is called, and meshes are built side by side on the host's threads.
     state->device.reset(rtcNewDevice("threads=1"));
     if (!state->device)
         return fail("ray scene", "Embree could not be started (error " +
@@ -204,9 +204,10 @@ void RayScene::State::buildMeshes() {
     std::erase_if(used, [&](RayMesh* m) { return !m->dirty && m->filtered == filtered[m]; });
     std::vector<uint8_t> filters;
     for (RayMesh* mesh : used) filters.push_back(filtered[mesh]);
-    // One after the other: where two threads build at once, Embree's scheduler starts one of its own.
-    for (size_t i = 0; i < used.size(); ++i)
-        buildRayMesh(*used[i], device.get(), filters[i] ? filterHit : nullptr);
+    jobs.forRanges(uint32_t(used.size()), 1, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t i = begin; i < end; ++i)
+            buildRayMesh(*used[i], device.get(), filters[i] ? filterHit : nullptr);
+    });
 }
 
 Result<void> RayScene::build(std::span<const Instance> instances) {

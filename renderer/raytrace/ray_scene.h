@@ -47,7 +47,7 @@ struct RaySurface {
 
 class RayScene {
 public:
-    /// `jobs` must outlive it; no thread is started.
+    /// `jobs` must outlive it. No thread is started; Embree's scheduler may keep one, idle, once a scene is destroyed.
     static Result<std::unique_ptr<RayScene>> create(JobSystem& jobs);
     ~RayScene();
 
