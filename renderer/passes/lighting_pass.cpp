@@ -13,33 +13,18 @@ constexpr std::string_view kCascadeDefines[] = {"", "SHADOW_CASCADES 1", "SHADOW
                                                 "SHADOW_CASCADES 3", "SHADOW_CASCADES 4"};
 
 struct Payload {
-    GBufferPass::Outputs gbuffer;
-    LightingBindings lighting;
-    ImageId ambientOcclusion, localTint, localFlow;
+    LitScreenBindings screen;
     PipelineHandle lightingPipeline, backgroundPipeline;
-    SamplerHandle nearest;
 };
 
 void record(const Payload& p, PassContext& context) {
     CommandBuffer& commands = context.commands;
-    p.lighting.record(context);
-    const auto bind = [&](uint32_t slot, ImageId image) {
-        commands.push(BindTexture{slot, context.texture(image), p.nearest});
-    };
-    bind(RL_TEXTURE_GBUFFER0, p.gbuffer.target0);
-    bind(RL_TEXTURE_GBUFFER1, p.gbuffer.target1);
-    bind(RL_TEXTURE_GBUFFER2, p.gbuffer.target2);
-    bind(RL_TEXTURE_DEPTH, p.gbuffer.depth);
-    if (p.ambientOcclusion) bind(RL_TEXTURE_AMBIENT_OCCLUSION, p.ambientOcclusion);
-    if (p.lighting.features.irradianceVolume) {
-        bind(RL_TEXTURE_LOCAL_TINT, p.localTint);
-        commands.push(BindTexture{RL_TEXTURE_LOCAL_FLOW, context.texture(p.localFlow),
-                                  p.lighting.linearSampler});
-    }
+    const LightingBindings& lighting = p.screen.lighting;
+    p.screen.record(context);
     commands.push(SetPipeline{p.lightingPipeline});
     commands.push(Draw{3, 1, 0});
-    if (p.lighting.sky)
-        commands.push(BindTexture{RL_TEXTURE_SKY, p.lighting.sky, p.lighting.cubeSampler});
+    if (lighting.sky)
+        commands.push(BindTexture{RL_TEXTURE_SKY, lighting.sky, lighting.cubeSampler});
     commands.push(SetPipeline{p.backgroundPipeline});
     commands.push(Draw{3, 1, 0});
 }
@@ -96,6 +81,22 @@ void LightingBindings::recordProbes(PassContext& context) const {
     CommandBuffer& commands = context.commands;
     commands.push(BindTexture{RL_TEXTURE_PROBE_DISTANCES, probeDistances, linearSampler});
     commands.push(BindTexelBuffer{RL_TEXTURE_PROBE_RECORDS, Format::rgba32ui, {}, probeRecords});
+}
+
+void LitScreenBindings::record(PassContext& context) const {
+    lighting.record(context);
+    const auto bind = [&](uint32_t slot, ImageId image) {
+        context.commands.push(BindTexture{slot, context.texture(image), nearest});
+    };
+    bind(RL_TEXTURE_GBUFFER0, gbuffer.target0);
+    bind(RL_TEXTURE_GBUFFER1, gbuffer.target1);
+    bind(RL_TEXTURE_GBUFFER2, gbuffer.target2);
+    bind(RL_TEXTURE_DEPTH, gbuffer.depth);
+    if (ambientOcclusion) bind(RL_TEXTURE_AMBIENT_OCCLUSION, ambientOcclusion);
+    if (!lighting.features.irradianceVolume) return;
+    bind(RL_TEXTURE_LOCAL_TINT, localTint);
+    context.commands.push(
+        BindTexture{RL_TEXTURE_LOCAL_FLOW, context.texture(localFlow), lighting.linearSampler});
 }
 
 LightingPass::LightingPass(Device& device)
@@ -157,8 +158,10 @@ Result<LightingPass::Outputs> LightingPass::add(FramePlan& plan, const Inputs& i
     targets.depth = {g.depth, LoadOp::keep, 0, true};
     targets.reads = reads;
     plan.addPass<Payload>("lighting", targets,
-                          {g, inputs.lighting, inputs.ambientOcclusion, inputs.localTint,
-                           inputs.localFlow, entry->lighting, entry->background, nearest_},
+                          {{g, inputs.lighting, inputs.ambientOcclusion, inputs.localTint,
+                            inputs.localFlow, nearest_},
+                           entry->lighting,
+                           entry->background},
                           record);
     return out;
 }

@@ -55,6 +55,17 @@ struct LightingBindings {
     void recordProbes(PassContext& context) const;
 };
 
+/// What a full-screen pass reads to light the surfaces of the G-buffer, or to light them otherwise afterwards.
+struct LitScreenBindings {
+    GBufferPass::Outputs gbuffer;
+    LightingBindings lighting;
+    ImageId ambientOcclusion;  ///< null: the ambient light is open
+    ImageId localTint, localFlow;  ///< with an irradiance volume
+    SamplerHandle nearest;
+
+    void record(PassContext& context) const;
+};
+
 class LightingPass {
 public:
     struct Inputs {

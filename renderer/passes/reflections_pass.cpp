@@ -7,30 +7,15 @@ namespace rushlight {
 namespace {
 
 struct Payload {
-    GBufferPass::Outputs gbuffer;
-    LightingBindings lighting;
-    ImageId ambientOcclusion, localTint, localFlow, reflections;
+    LitScreenBindings screen;
+    ImageId reflections;
     PipelineHandle pipeline;
-    SamplerHandle nearest;
 };
 
 void record(const Payload& p, PassContext& context) {
     CommandBuffer& commands = context.commands;
-    p.lighting.record(context);
-    const auto bind = [&](uint32_t slot, ImageId image) {
-        commands.push(BindTexture{slot, context.texture(image), p.nearest});
-    };
-    bind(RL_TEXTURE_GBUFFER0, p.gbuffer.target0);
-    bind(RL_TEXTURE_GBUFFER1, p.gbuffer.target1);
-    bind(RL_TEXTURE_GBUFFER2, p.gbuffer.target2);
-    bind(RL_TEXTURE_DEPTH, p.gbuffer.depth);
-    bind(RL_TEXTURE_SOURCE0, p.reflections);
-    if (p.ambientOcclusion) bind(RL_TEXTURE_AMBIENT_OCCLUSION, p.ambientOcclusion);
-    if (p.lighting.features.irradianceVolume) {
-        bind(RL_TEXTURE_LOCAL_TINT, p.localTint);
-        commands.push(BindTexture{RL_TEXTURE_LOCAL_FLOW, context.texture(p.localFlow),
-                                  p.lighting.linearSampler});
-    }
+    p.screen.record(context);
+    commands.push(BindTexture{RL_TEXTURE_SOURCE0, context.texture(p.reflections), p.screen.nearest});
     commands.push(SetPipeline{p.pipeline});
     commands.push(Draw{3, 1, 0});
 }
@@ -122,8 +107,10 @@ Result<ReflectionsPass::Outputs> ReflectionsPass::add(FramePlan& plan, const Inp
     targets.reads = reads;
     plan.addPass<Payload>(
         "reflections", targets,
-        {g, lighting, inputs.ambientOcclusion, inputs.localTint, inputs.localFlow, traced, *composite,
-         nearest_}, record);
+        {{g, lighting, inputs.ambientOcclusion, inputs.localTint, inputs.localFlow, nearest_},
+         traced,
+         *composite},
+        record);
     return out;
 }
 
