@@ -60,6 +60,14 @@ public:
     }
     const T* find(HandleType handle) const { return const_cast<Pool*>(this)->find(handle); }
 
+    /// Of an object that is looked up soon.
+    void prefetch(HandleType handle) const {
+        if (handle.index() >= slots_.size()) return;
+        const char* bytes = reinterpret_cast<const char*>(&slots_[handle.index()]);
+        for (std::size_t offset = 0; offset < sizeof(Slot); offset += 64)
+            __builtin_prefetch(bytes + offset);
+    }
+
     bool erase(HandleType handle) {
         if (!find(handle)) return false;
         Slot& slot = slots_[handle.index()];

@@ -20,12 +20,15 @@ void writeRows(const mat4x3& m, vec4& row0, vec4& row1, vec4& row2) {
     row2 = {m[0].z, m[1].z, m[2].z, m[3].z};
 }
 
-// Of an item that comes soon, after its record was prefetched.
-void prefetchFacing(const FrameWorlds& worlds, const GeometryStore& geometry,
-                    std::span<const VisibleItem> items, size_t index) {
-    constexpr size_t kAhead = 4;
-    if (index + kAhead >= items.size()) return;
-    const VisibleItem& item = items[index + kAhead];
+// Of items that come soon, each after what it is found by: the record, the mesh, which way its triangles face.
+void prefetch(const FrameWorlds& worlds, const GeometryStore& geometry,
+              std::span<const VisibleItem> items, size_t index, bool facing) {
+    constexpr size_t kMeshAhead = 8, kFacingAhead = 4;
+    worlds.prefetch(items, index);
+    if (index + kMeshAhead >= items.size()) return;
+    geometry.prefetch(worlds.record(items[index + kMeshAhead].object).mesh);
+    if (!facing) return;
+    const VisibleItem& item = items[index + kFacingAhead];
     const GpuMesh& mesh = *geometry.find(worlds.record(item.object).mesh);
     if (item.lod >= mesh.groupedLods) return;
     const char* bytes = reinterpret_cast<const char*>(&mesh.facing[item.lod]);
@@ -108,8 +111,7 @@ void DrawList::arrange(const FrameWorlds& worlds, const GeometryStore& geometry,
     MeshHandle lastMesh;
     uint32_t lastLod = 0, lastGroups = 0, lastDraws = 0, lastTriangles = 0;
     for (size_t i = 0; i < items.size(); ++i) {
-        worlds.prefetch(items, i);
-        if (leavesBacksOut) prefetchFacing(worlds, geometry, items, i);
+        prefetch(worlds, geometry, items, i, leavesBacksOut);
         const VisibleItem& item = items[i];
         const InstanceRecord& r = worlds.record(item.object);
         const GpuMesh& mesh = *geometry.find(r.mesh);

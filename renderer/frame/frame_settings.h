@@ -72,7 +72,7 @@ struct FrameSettings {
     bool occlusionCulling = true;  ///< leave out what opaque objects hide, as far as the CPU can tell
     /// Simplified meshes are shown where their surface is off by at most this many pixels; 0: never.
     float lodPixelError = 0.18f;
-    float shadowLodTexelError = 0.15f;  ///< as lodPixelError, in texels of the shadow map
+    float shadowLodTexelError = 0.3f;  ///< as lodPixelError, in texels of the shadow map
     float smallObjectPixels = 1;    ///< objects that are smaller across, in pixels or shadow texels, are left out; 0: none
 };
 

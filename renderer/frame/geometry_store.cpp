@@ -1,10 +1,13 @@
 #include "renderer/frame/geometry_store.h"
 
+#include "renderer/frame/mesh_topology.h"
 #include "renderer/frame/vertex_packing.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include <meshoptimizer.h>
 
 namespace rushlight {
 namespace {
@@ -80,7 +83,9 @@ struct GeometryStore::Prepared {
     LodChain chain;
     CpuMesh cpu;
     std::vector<FacingGroups> facing;  // of the finest levels
+    std::vector<uint32_t> indices;     // level 0 as it was given
     std::vector<uint32_t> finest;      // level 0 sorted by facing; empty: as it was given
+    std::vector<uint32_t> places;      // of the vertices in the streams
 };
 
 namespace {
@@ -100,6 +105,19 @@ void sortByFacing(const MeshDesc& desc, LodChain& chain, std::vector<uint32_t>& 
                               : std::span(chain.indices)
                                     .subspan(lod.firstIndex - finest.size(), lod.indexCount)));
     }
+}
+
+// Vertices in the order in which the levels use them first, the finest first, so that they are fetched in runs.
+std::vector<uint32_t> fetchOrder(std::span<const uint32_t> finest, std::span<const uint32_t> levels,
+                                 size_t vertexCount) {
+    std::vector<uint32_t> used(finest.begin(), finest.end());
+    used.insert(used.end(), levels.begin(), levels.end());
+    std::vector<uint32_t> places(vertexCount);
+    size_t next = meshopt_optimizeVertexFetchRemap(places.data(), used.data(), used.size(),
+                                                   vertexCount);
+    for (uint32_t& place : places)
+        if (place == ~0u) place = uint32_t(next++);
+    return places;
 }
 
 }  // namespace
@@ -125,6 +143,11 @@ GeometryStore::Prepared GeometryStore::prepare(const MeshDesc& desc) {
         mesh.bounds.grow(desc.positions[v.source] + v.offset);
     out.cpu = makeCpuMesh(desc.positions, desc.indices, out.chain);
     sortByFacing(desc, out.chain, out.finest, out.facing);
+    out.indices.assign(desc.indices.begin(), desc.indices.end());
+    out.places = fetchOrder(out.finest.empty() ? out.indices : out.finest, out.chain.indices,
+                            mesh.vertexCount + mesh.movedCount);
+    for (auto* indices : {&out.indices, &out.finest, &out.chain.indices})
+        for (uint32_t& index : *indices) index = out.places[index];
     return out;
 }
 
@@ -146,8 +169,9 @@ Result<MeshHandle> GeometryStore::insert(Prepared&& prepared, const MeshDesc& de
     if (auto ok = reserveIndices(); !ok) return tl::unexpected(ok.error());
     MeshDesc withNormals = desc;
     if (desc.normals.empty()) withNormals.normals = prepared.madeNormals;
-    upload(mesh, withNormals, chain.moved);
-    device_.write(indices_, uint64_t(mesh.firstIndex) * 4, std::as_bytes(desc.indices));
+    upload(mesh, withNormals, chain.moved, prepared.places);
+    device_.write(indices_, uint64_t(mesh.firstIndex) * 4,
+                  std::as_bytes(std::span(prepared.indices)));
     if (!prepared.finest.empty())
         device_.write(indices_, uint64_t(mesh.lods[0].firstIndex) * 4,
                       std::as_bytes(std::span(prepared.finest)));
@@ -157,7 +181,7 @@ Result<MeshHandle> GeometryStore::insert(Prepared&& prepared, const MeshDesc& de
     const MeshHandle handle = meshes_.insert(mesh);
     if (sides_.size() <= handle.index()) sides_.resize(handle.index() + 1);
     sides_[handle.index()] = {std::move(prepared.cpu), std::move(prepared.chain.moved),
-                              std::move(prepared.facing), false};
+                              std::move(prepared.facing), std::move(prepared.places), false};
     noteChange(handle);
     return handle;
 }
@@ -208,7 +232,7 @@ Result<void> GeometryStore::update(MeshHandle handle, const MeshDesc& desc) {
     mesh->groupedLods = 0;
     Side& side = sides_[handle.index()];
     for (MovedVertex& v : side.moved) v.offset = vec3(0);
-    upload(*mesh, desc, side.moved);
+    upload(*mesh, desc, side.moved, side.places);
     side.cpu.movePositions(desc.positions);
     noteChange(handle);
     return {};
@@ -242,7 +266,8 @@ void GeometryStore::clearChanges() {
 }
 
 void GeometryStore::upload(const GpuMesh& mesh, const MeshDesc& desc,
-                           std::span<const MovedVertex> moved) {
+                           std::span<const MovedVertex> moved,
+                           std::span<const uint32_t> places) {
     std::vector<vec3> made;
     std::span<const vec3> normals = desc.normals;
     if (normals.empty()) normals = made = makeNormals(desc);
@@ -251,12 +276,11 @@ void GeometryStore::upload(const GpuMesh& mesh, const MeshDesc& desc,
     // The mesh's vertices and those that follow them.
     const auto write = [&](BufferHandle stream, auto&& valueOf) {
         std::vector<decltype(valueOf(0u))> values(mesh.vertexCount + moved.size());
-        for (uint32_t i = 0; i < mesh.vertexCount; ++i) values[i] = valueOf(i);
-        for (size_t i = 0; i < moved.size(); ++i)
-            values[mesh.vertexCount + i] = values[moved[i].source];
-        if constexpr (std::is_same_v<decltype(valueOf(0u)), vec3>)
-            for (size_t i = 0; i < moved.size(); ++i)
-                values[mesh.vertexCount + i] += moved[i].offset;
+        for (uint32_t i = 0; i < mesh.vertexCount; ++i) values[places[i]] = valueOf(i);
+        for (size_t i = 0; i < moved.size(); ++i) {
+            auto& value = values[places[mesh.vertexCount + i]] = values[places[moved[i].source]];
+            if constexpr (std::is_same_v<decltype(valueOf(0u)), vec3>) value += moved[i].offset;
+        }
         device_.write(stream, uint64_t(mesh.firstVertex) * sizeof values[0],
                       std::as_bytes(std::span(values)));
     };
@@ -321,41 +345,6 @@ Result<void> GeometryStore::reserveIndices() {
         return ok;
     indexCapacity_ = uint32_t(capacity);
     return {};
-}
-
-bool isClosed(std::span<const vec3> positions, std::span<const uint32_t> indices) {
-    // Weld equal positions: sort vertex numbers by position, number the runs.
-    std::vector<uint32_t> order(positions.size()), welded(positions.size());
-    for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    const auto less = [&](uint32_t a, uint32_t b) {
-        const vec3 &p = positions[a], &q = positions[b];
-        if (p.x != q.x) return p.x < q.x;
-        if (p.y != q.y) return p.y < q.y;
-        return p.z < q.z;
-    };
-    std::sort(order.begin(), order.end(), less);
-    uint32_t name = 0;
-    for (size_t i = 0; i < order.size(); ++i) {
-        if (i > 0 && less(order[i - 1], order[i])) ++name;
-        welded[order[i]] = name;
-    }
-    // A directed edge a->b counts as +1 under the key (min, max) when a < b, else -1: the sums must all be zero.
-    std::vector<uint64_t> forward, backward;
-    forward.reserve(indices.size() / 2 + 1);
-    backward.reserve(indices.size() / 2 + 1);
-    for (size_t i = 0; i < indices.size(); i += 3)
-        for (size_t k = 0; k < 3; ++k) {
-            const uint64_t a = welded[indices[i + k]], b = welded[indices[i + (k + 1) % 3]];
-            if (a == b) continue;
-            if (a < b)
-                forward.push_back(a << 32 | b);
-            else
-                backward.push_back(b << 32 | a);
-        }
-    if (forward.size() != backward.size()) return false;
-    std::sort(forward.begin(), forward.end());
-    std::sort(backward.begin(), backward.end());
-    return forward == backward;
 }
 
 }  // namespace rushlight

@@ -54,6 +54,7 @@ public:
     Result<void> update(MeshHandle, const MeshDesc&);
     void destroy(MeshHandle);
     const GpuMesh* find(MeshHandle mesh) const { return meshes_.find(mesh); }
+    void prefetch(MeshHandle mesh) const { meshes_.prefetch(mesh); }
 
     /// Null for a stale handle and for a mesh all of whose levels are too large to be kept. Good until meshes are
     /// created or destroyed.
@@ -79,13 +80,16 @@ private:
     struct Prepared;
     static Prepared prepare(const MeshDesc&);
     Result<MeshHandle> insert(Prepared&&, const MeshDesc&);
-    void upload(const GpuMesh&, const MeshDesc&, std::span<const MovedVertex> moved);
+    /// `places` of the mesh's vertices and those moved, in the streams.
+    void upload(const GpuMesh&, const MeshDesc&, std::span<const MovedVertex> moved,
+                std::span<const uint32_t> places);
     void noteChange(MeshHandle);
 
     struct Side {  // beside a GpuMesh, by handle index; apart from it, as frames walk the GpuMeshes
         CpuMesh cpu;
         std::vector<MovedVertex> moved;
         std::vector<FacingGroups> facing;
+        std::vector<uint32_t> places;
         bool changed = false;
     };
     Device& device_;
@@ -97,8 +101,5 @@ private:
     RangeAllocator indexRanges_;
     uint32_t indexCapacity_ = 0;
 };
-
-/// True when every directed edge of the position-welded triangles has its opposite.
-bool isClosed(std::span<const vec3> positions, std::span<const uint32_t> indices);
 
 }  // namespace rushlight

@@ -1,6 +1,7 @@
 #include "renderer/frame/mesh_lods.h"
 
 #include "renderer/frame/lod_refit.h"
+#include "renderer/frame/mesh_topology.h"
 
 #include <algorithm>
 
@@ -34,17 +35,6 @@ double doubleArea(std::span<const vec3> positions, std::span<const uint32_t> ind
             glm::cross(positions[indices[i + 1]] - a, positions[indices[i + 2]] - a)));
     }
     return area;
-}
-
-// Numbers of places, for what is in one but for rounding: where a surface of revolution closes, sin 0 is not quite sin 2π.
-std::vector<uint32_t> placesOf(std::span<const vec3> positions, float extent) {
-    const float step = extent * 0x1p-20f;
-    std::vector<vec3> rounded(positions.begin(), positions.end());
-    for (vec3& p : rounded) p = glm::round(p / step) + 0.0f;  // no negative zeros
-    std::vector<uint32_t> places(positions.size());
-    meshopt_generateVertexRemap(places.data(), nullptr, places.size(), rounded.data(),
-                                rounded.size(), sizeof(vec3));
-    return places;
 }
 
 // Positions with the same bits for all in one place, as meshoptimizer compares bits.
@@ -205,7 +195,7 @@ class ChainMaker {
 public:
     ChainMaker(const MeshDesc& mesh, bool closed, float extent)
         : mesh_(mesh),
-          places_(placesOf(mesh.positions, extent)),
+          places_(placesOf(mesh.positions)),
           shared_(shared(mesh.positions, places_)),
           welded_(mesh, shared_),
           bounds_(boundsOf(mesh)),

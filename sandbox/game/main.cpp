@@ -1,12 +1,14 @@
 #include "sandbox/allocations.h"
 #include "sandbox/game/dusk_game.h"
 #include "sandbox/game/options.h"
+#include "sandbox/process_memory.h"
 #include "sandbox/viewer/program_files.h"
 
 #include <cstdio>
 
 int main(int argc, char** argv) {
     using namespace rushlight;
+    keepFreedMemory();
     int exitCode = 0;
     auto options = parseOptions(argc, argv, exitCode);
     if (!options) return exitCode;

@@ -1,3 +1,4 @@
+#include "sandbox/process_memory.h"
 #include "sandbox/tool/command.h"
 
 #include <cstdio>
@@ -40,6 +41,7 @@ int run(int argumentCount, char** arguments) {
 }  // namespace rushlight::tool
 
 int main(int argumentCount, char** arguments) {
+    rushlight::keepFreedMemory();
     try {
         return rushlight::tool::run(argumentCount, arguments);
     } catch (const std::bad_alloc&) {

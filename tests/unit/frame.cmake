@@ -15,6 +15,7 @@ add_executable(frame_test
   shadow_tiles_test.cpp
   spatial_index_test.cpp
   view_math_test.cpp
+  radix_sort_test.cpp
   visibility_test.cpp
   whole_frame_test.cpp
   ../support/random_scene.cpp)

@@ -1,5 +1,6 @@
 #include "renderer/frame/geometry_store.h"
 
+#include "renderer/frame/mesh_topology.h"
 #include "tests/support/memory_device.h"
 #include "tests/support/random.h"
 #include "tests/support/shapes.h"
@@ -72,29 +73,36 @@ protected:
     MemoryDevice device;
     GeometryStore store{device};
 
+    uint32_t index(uint32_t place) { return device.read<uint32_t>(store.indices(), place); }
+    vec3 corner(const GpuMesh& mesh, uint32_t place) {
+        return device.read<vec3>(store.streams(mesh.extended).positions,
+                                 mesh.firstVertex + index(place));
+    }
     void expectHolds(MeshHandle handle, const Shape& shape) {
         const GpuMesh& mesh = *store.find(handle);
-        const VertexStreams& streams = store.streams(mesh.extended);
-        for (size_t i = 0; i < shape.positions.size(); ++i)
-            ASSERT_EQ(device.read<vec3>(streams.positions, mesh.firstVertex + i), shape.positions[i]);
-        for (size_t i = 0; i < shape.indices.size(); ++i)
-            ASSERT_EQ(device.read<uint32_t>(store.indices(), mesh.firstIndex + i), shape.indices[i]);
+        for (uint32_t i = 0; i < shape.indices.size(); ++i)
+            ASSERT_EQ(corner(mesh, mesh.firstIndex + i), shape.positions[shape.indices[i]]);
     }
 };
 
 TEST_F(GeometryStoreTest, GrowingKeepsWhatIsThere) {
     // 45,451 vertices, the cube behind them, then 80,601: more than the first capacity.
     const Shape filler = makeSphere(150, 300), cube = makeCube(), large = makeSphere(200, 400);
-    const MeshHandle before = *store.create(filler.desc());
+    const auto bare = [](const Shape& shape) {
+        MeshDesc desc = shape.desc();
+        desc.lods = false;
+        return desc;
+    };
+    const MeshHandle before = *store.create(bare(filler));
     const MeshHandle first = *store.create(cube.desc());
     std::vector<vec4> colors(large.positions.size(), vec4(1));
     const size_t buffers = device.buffers.size();
-    const MeshHandle second = *store.create(large.desc());
+    const MeshHandle second = *store.create(bare(large));
     expectHolds(before, filler);
     expectHolds(first, cube);
     expectHolds(second, large);
     EXPECT_EQ(device.buffers.size(), buffers) << "the smaller buffers are given back";
-    MeshDesc extended = large.desc();
+    MeshDesc extended = bare(large);
     extended.colors = colors;
     const MeshHandle third = *store.create(extended);
     expectHolds(first, cube);
@@ -122,9 +130,11 @@ TEST_F(GeometryStoreTest, LevelsSortedByFacingHoldTheTrianglesOfTheirLevel) {
     expectHolds(handle, sphere);
     ASSERT_GE(mesh.groupedLods, 2u);
     EXPECT_NE(mesh.lods[0].firstIndex, mesh.firstIndex);
-    std::vector<uint32_t> sorted(mesh.indexCount), given = sphere.indices;
-    for (uint32_t i = 0; i < mesh.indexCount; ++i)
-        sorted[i] = device.read<uint32_t>(store.indices(), mesh.lods[0].firstIndex + i);
+    std::vector<uint32_t> sorted(mesh.indexCount), given(mesh.indexCount);
+    for (uint32_t i = 0; i < mesh.indexCount; ++i) {
+        sorted[i] = index(mesh.lods[0].firstIndex + i);
+        given[i] = index(mesh.firstIndex + i);
+    }
     std::ranges::sort(sorted);
     std::ranges::sort(given);
     EXPECT_EQ(sorted, given);
@@ -133,6 +143,17 @@ TEST_F(GeometryStoreTest, LevelsSortedByFacingHoldTheTrianglesOfTheirLevel) {
     store.destroy(handle);
     const MeshHandle again = *store.create(sphere.desc());
     EXPECT_EQ(store.find(again)->firstIndex, 0u) << "all of its place is free again";
+}
+
+TEST_F(GeometryStoreTest, VerticesAreInTheOrderOfTheirFirstUse) {
+    const GpuMesh& mesh = *store.find(*store.create(makeSphere(16, 24).desc()));
+    uint32_t next = 0;
+    for (uint32_t i = 0; i < mesh.indexCount; ++i) {
+        const uint32_t used = index(mesh.lods[0].firstIndex + i);
+        ASSERT_LE(used, next);
+        next = std::max(next, used + 1);
+    }
+    EXPECT_EQ(next, mesh.vertexCount) << "moved vertices, which level 0 does not use, come last";
 }
 
 TEST_F(GeometryStoreTest, BoundsAndFlagsComeFromTheData) {
