@@ -12,6 +12,7 @@
 #include "renderer/frame/frame_input.h"
 #include "renderer/frame/frame_report.h"
 #include "renderer/frame/irradiance_volume.h"
+#include "renderer/frame/quality.h"
 
 #include <memory>
 #include <optional>

@@ -18,6 +18,8 @@ Lighting duskLighting() {
     lighting.ambientGround = vec3(0.06f, 0.052f, 0.048f);
     lighting.background = Background::color;
     lighting.backgroundColor = vec3(0.055f, 0.085f, 0.17f);
+    lighting.fog.density = 0.006f;  // the lamps get a glow; the far side of the square stays clear
+    lighting.fog.heightFalloff = 0.12f;
     return lighting;
 }
 

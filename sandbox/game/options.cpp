@@ -1,5 +1,7 @@
 #include "sandbox/game/options.h"
 
+#include "renderer/frame/quality.h"
+
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
@@ -26,6 +28,15 @@ std::string readSize(const std::string& text, ViewerOptions& options) {
     return {};
 }
 
+void setQuality(FrameSettings& settings, Quality quality) {
+    const ToneMap toneMap = settings.toneMap;
+    const float exposureScale = settings.exposureScale;
+    settings = frameSettings(quality);
+    settings.lightShadows = quality != Quality::low;  // the lamps' are what there is to see
+    settings.toneMap = toneMap;
+    settings.exposureScale = exposureScale;
+}
+
 void addViewOptions(CLI::App& app, ViewerOptions& viewer) {
     app.add_option_function<std::string>(
            "--size",
@@ -39,6 +50,16 @@ void addViewOptions(CLI::App& app, ViewerOptions& viewer) {
         ->transform(
             CLI::CheckedTransformer(std::map<std::string, bool>{{"on", true}, {"off", false}}))
         ->default_str("on");
+    const std::map<std::string, Quality> qualities{{"low", Quality::low},
+                                                   {"medium", Quality::medium},
+                                                   {"high", Quality::high},
+                                                   {"ultra", Quality::ultra}};
+    app.add_option_function<Quality>(
+           "--quality",
+           [&viewer](Quality quality) { setQuality(viewer.settings, quality); },
+           "low, medium, high or ultra: what a frame may cost; the lamps cast shadows from medium on")
+        ->transform(CLI::CheckedTransformer(qualities))
+        ->default_str("medium");
     const std::map<std::string, ToneMap> toneMaps{{"none", ToneMap::none},
                                                   {"neutral", ToneMap::neutral},
                                                   {"agx", ToneMap::agx},
@@ -85,6 +106,7 @@ std::optional<SandboxOptions> parseOptions(int argc, char** argv, int& exitCode)
     options.viewer.title = "Rushlight: dusk in the square";
     options.viewer.cameraMode = CameraMode::walk;
     options.viewer.settings.exposureScale = kDuskExposure;
+    setQuality(options.viewer.settings, Quality::medium);
     CLI::App app("Walk through a square at dusk and light its lamps. Tab shows all keys.",
                  "sandbox");
     app.add_option("--level", options.viewer.scene,

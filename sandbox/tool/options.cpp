@@ -237,70 +237,6 @@ void addQualityOptions(CLI::App& app, RenderOptions& o) {
               "Leave out objects that are fewer pixels, or shadow texels, across; 0: none");
 }
 
-struct QualityLevel {
-    uint32_t cascades;
-    uint32_t shadowResolution;
-    bool lightShadows;
-    uint32_t atlasSize, tileSize;
-    ShadowFilter filter;
-    AmbientOcclusion ambientOcclusion;
-    bool reflections;
-    bool bloom;
-    AntiAliasing antiAliasing;
-    float lodError, shadowLodError;
-};
-
-constexpr std::array<QualityLevel, 4> kQualityLevels = {{
-    {.cascades = 1,
-     .shadowResolution = 1024,
-     .lightShadows = false,
-     .atlasSize = 1024,
-     .tileSize = 128,
-     .filter = ShadowFilter::hard,
-     .ambientOcclusion = AmbientOcclusion::off,
-     .reflections = false,
-     .bloom = false,
-     .antiAliasing = AntiAliasing::off,
-     .lodError = 1,
-     .shadowLodError = 1},
-    {.cascades = 2,
-     .shadowResolution = 1024,
-     .lightShadows = false,
-     .atlasSize = 2048,
-     .tileSize = 512,
-     .filter = ShadowFilter::pcf,
-     .ambientOcclusion = AmbientOcclusion::low,
-     .reflections = false,
-     .bloom = true,
-     .antiAliasing = AntiAliasing::fxaa,
-     .lodError = 0.5f,
-     .shadowLodError = 0.5f},
-    {.cascades = 4,
-     .shadowResolution = 2048,
-     .lightShadows = false,
-     .atlasSize = 4096,
-     .tileSize = 1024,
-     .filter = ShadowFilter::pcf,
-     .ambientOcclusion = AmbientOcclusion::medium,
-     .reflections = false,
-     .bloom = true,
-     .antiAliasing = AntiAliasing::fxaa,
-     .lodError = FrameSettings{}.lodPixelError,
-     .shadowLodError = FrameSettings{}.shadowLodTexelError},
-    {.cascades = 4,
-     .shadowResolution = 4096,
-     .lightShadows = true,
-     .atlasSize = 8192,
-     .tileSize = 1024,
-     .filter = ShadowFilter::soft,
-     .ambientOcclusion = AmbientOcclusion::high,
-     .reflections = true,
-     .bloom = true,
-     .antiAliasing = AntiAliasing::fxaa,
-     .lodError = 0.1f,
-     .shadowLodError = 0.1f},
-}};
-
 }  // namespace
 
 void addRenderOptions(CLI::App& app, RenderOptions& o) {
@@ -355,27 +291,28 @@ CLI::Validator finiteNumber() {
 }
 
 FrameSettings settingsFrom(const RenderOptions& o) {
-    const QualityLevel& level = kQualityLevels[size_t(o.quality)];
-    FrameSettings settings;
-    settings.shadows = o.shadows.value_or(true);
-    settings.shadowCaching = o.shadowCaching.value_or(true);
-    settings.shadowCascades = o.shadowCascades.value_or(level.cascades);
-    settings.shadowResolution = o.shadowResolution.value_or(level.shadowResolution);
-    settings.lightShadows = o.lightShadows.value_or(level.lightShadows);
-    settings.shadowAtlasSize = o.shadowAtlasSize.value_or(level.atlasSize);
-    settings.shadowTileSize = std::min(level.tileSize, settings.shadowAtlasSize);
-    settings.shadowFilter = o.shadowFilter.value_or(level.filter);
-    settings.ambientOcclusion = o.ambientOcclusion.value_or(level.ambientOcclusion);
-    settings.ambientOcclusionRadius =
-        o.ambientOcclusionRadius.value_or(settings.ambientOcclusionRadius);
-    settings.reflections = o.reflections.value_or(level.reflections);
-    settings.bloom = o.bloom.value_or(level.bloom);
-    settings.antiAliasing = o.antiAliasing.value_or(level.antiAliasing);
-    settings.dither = o.dither.value_or(true);
-    settings.occlusionCulling = o.occlusionCulling.value_or(true);
-    settings.lodPixelError = o.lodError.value_or(level.lodError);
-    settings.shadowLodTexelError = o.shadowLodError.value_or(level.shadowLodError);
-    settings.smallObjectPixels = o.smallObjects.value_or(settings.smallObjectPixels);
+    FrameSettings settings = frameSettings(o.quality);
+    const auto choose = [](auto& setting, const auto& asked) {
+        if (asked) setting = *asked;
+    };
+    choose(settings.shadows, o.shadows);
+    choose(settings.shadowCaching, o.shadowCaching);
+    choose(settings.shadowCascades, o.shadowCascades);
+    choose(settings.shadowResolution, o.shadowResolution);
+    choose(settings.lightShadows, o.lightShadows);
+    choose(settings.shadowAtlasSize, o.shadowAtlasSize);
+    settings.shadowTileSize = std::min(settings.shadowTileSize, settings.shadowAtlasSize);
+    choose(settings.shadowFilter, o.shadowFilter);
+    choose(settings.ambientOcclusion, o.ambientOcclusion);
+    choose(settings.ambientOcclusionRadius, o.ambientOcclusionRadius);
+    choose(settings.reflections, o.reflections);
+    choose(settings.bloom, o.bloom);
+    choose(settings.antiAliasing, o.antiAliasing);
+    choose(settings.dither, o.dither);
+    choose(settings.occlusionCulling, o.occlusionCulling);
+    choose(settings.lodPixelError, o.lodError);
+    choose(settings.shadowLodTexelError, o.shadowLodError);
+    choose(settings.smallObjectPixels, o.smallObjects);
     settings.exposureScale = o.exposureScale;
     settings.useExposureValue = o.exposureValue.has_value();
     settings.exposureValue = o.exposureValue.value_or(0);

@@ -4,6 +4,7 @@
 #include "engine/core/result.h"
 #include "renderer/context/context.h"
 #include "renderer/frame/frame_input.h"
+#include "renderer/frame/quality.h"
 
 #include <CLI/CLI.hpp>
 
@@ -11,8 +12,6 @@
 #include <string>
 
 namespace rushlight::tool {
-
-enum class Quality : uint8_t { low, medium, high, ultra };
 
 struct FrameRange {
     uint32_t first = 0;

@@ -92,6 +92,13 @@ void comboAmbientOcclusion(FrameSettings& settings) {
                            ImGuiSliderFlags_Logarithmic);
 }
 
+void comboShadowFilter(FrameSettings& settings) {
+    constexpr const char* kNames[] = {"hard", "PCF", "soft"};
+    int current = int(settings.shadowFilter);
+    if (ImGui::Combo("shadow edges", &current, kNames, IM_ARRAYSIZE(kNames)))
+        settings.shadowFilter = ShadowFilter(current);
+}
+
 void editExposure(FrameSettings& settings) {
     ImGui::Checkbox("automatic exposure", &settings.autoExposure);
     if (settings.autoExposure) return;
@@ -138,6 +145,8 @@ void drawSettings(ViewerSettings& settings, CameraRig& camera) {
         if (ImGui::SliderInt("cascades", &cascades, 1, 4))
             frame.shadowCascades = uint32_t(cascades);
         ImGui::Checkbox("cache still shadows", &frame.shadowCaching);
+        ImGui::Checkbox("shadows of lamps", &frame.lightShadows);
+        comboShadowFilter(frame);
         comboAmbientOcclusion(frame);
         ImGui::Checkbox("reflections of the screen", &frame.reflections);
         ImGui::Checkbox("bloom", &frame.bloom);
@@ -152,6 +161,7 @@ void drawSettings(ViewerSettings& settings, CameraRig& camera) {
         editExposure(frame);
         if (settings.hasEnvironment) ImGui::Checkbox("environment", &settings.useEnvironment);
         ImGui::SliderFloat("ambient", &settings.ambientScale, 0, 4, "%.2f");
+        ImGui::SliderFloat("fog", &settings.fogScale, 0, 8, "%.2f");
         ImGui::Separator();
         bool walking = camera.mode() == CameraMode::walk;
         if (ImGui::Checkbox("walk", &walking))

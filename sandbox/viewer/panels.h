@@ -27,6 +27,7 @@ struct ViewerSettings {
     bool hasEnvironment = false;
     bool useEnvironment = true;
     float ambientScale = 1;
+    float fogScale = 1;
 };
 
 void drawStatistics(const StatisticsView& view);

@@ -141,6 +141,7 @@ Result<void> ViewerApp::advance() {
     lighting_.ambientSky *= settings_.ambientScale;
     lighting_.ambientGround *= settings_.ambientScale;
     lighting_.environmentIntensity *= settings_.ambientScale;
+    lighting_.fog.density *= settings_.fogScale;
     return {};
 }
 
