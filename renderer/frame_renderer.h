@@ -10,6 +10,7 @@
 #include "renderer/frame/host_worlds.h"
 #include "renderer/frame/irradiance_store.h"
 #include "renderer/frame/light_clusters.h"
+#include "renderer/frame/light_pattern_store.h"
 #include "renderer/frame/shadow_schedule.h"
 #include "renderer/frame/visibility.h"
 #include "renderer/passes/bloom_pass.h"
@@ -52,6 +53,7 @@ public:
     TextureStore textures;
     MaterialStore materials;
     DecalStore decals;
+    LightPatternStore lightPatterns;
     EnvironmentStore environments;
     IrradianceStore irradianceVolumes;
     HostWorlds worlds;
@@ -71,6 +73,7 @@ public:
 
 private:
     Result<void> checkInput(const FrameInput&, const FrameOutput&) const;
+    Result<void> checkPatterns(std::span<const PunctualLight>) const;
     Result<void> prepareResources();
     void prepareWorlds(const FrameInput&);
     void gatherViews(const FrameInput&, const FrameOutput&, const CameraMatrices&);

@@ -35,6 +35,20 @@ Result<void> checkAreaLights(std::span<const AreaLight> lights) {
 
 }  // namespace
 
+Result<void> FrameRenderer::checkPatterns(std::span<const PunctualLight> lights) const {
+    const auto wrong = [](size_t index, const char* what) {
+        return fail("point or spot light " + std::to_string(index), what, ErrorKind::wrongUse);
+    };
+    for (size_t i = 0; i < lights.size(); ++i) {
+        const PunctualLight& light = lights[i];
+        if (!light.profile && !light.cookie) continue;
+        if (light.profile && !lightPatterns.find(light.profile)) return wrong(i, "its profile is a stale handle.");
+        if (light.cookie && !lightPatterns.find(light.cookie)) return wrong(i, "its cookie is a stale handle.");
+        if (!std::isfinite(glm::length(light.up))) return wrong(i, "its up vector is not finite.");
+    }
+    return {};
+}
+
 Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutput& output) const {
     const auto wrong = [](const char* object, const std::string& what) {
         return fail(object, what, ErrorKind::wrongUse);
@@ -61,6 +75,7 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
                            glm::length(light.direction) + light.range + light.innerConeAngle +
                            light.outerConeAngle + light.radius + light.shadowNear))
             return wrong("lighting", "a point or spot light is not finite.");
+    if (auto ok = checkPatterns(lighting.punctual); !ok) return ok;
     if (auto ok = checkAreaLights(lighting.area); !ok) return ok;
     if (input.world && !worlds.find(input.world))
         return wrong("frame", "its world is a stale handle.");

@@ -178,6 +178,16 @@ Result<DecalMaterialHandle> Renderer::createDecalMaterial(const DecalMaterialDes
     if (!use) return use.error();
     return state_->frames->decals.create(desc);
 }
+Result<LightProfileHandle> Renderer::createLightProfile(const LightProfileDesc& desc) {
+    const Use use(*state_);
+    if (!use) return use.error();
+    return state_->frames->lightPatterns.create(desc);
+}
+Result<LightCookieHandle> Renderer::createLightCookie(const LightCookieDesc& desc) {
+    const Use use(*state_);
+    if (!use) return use.error();
+    return state_->frames->lightPatterns.create(desc);
+}
 void Renderer::destroy(MeshHandle mesh) {
     const Use use(*state_);
     if (!use.goodOrLogged()) return;
@@ -199,6 +209,14 @@ void Renderer::destroy(EnvironmentHandle e) {
 void Renderer::destroy(DecalMaterialHandle material) {
     const Use use(*state_);
     if (use.goodOrLogged()) state_->frames->decals.destroy(material);
+}
+void Renderer::destroy(LightProfileHandle profile) {
+    const Use use(*state_);
+    if (use.goodOrLogged()) state_->frames->lightPatterns.destroy(profile);
+}
+void Renderer::destroy(LightCookieHandle cookie) {
+    const Use use(*state_);
+    if (use.goodOrLogged()) state_->frames->lightPatterns.destroy(cookie);
 }
 
 Result<IrradianceVolumeHandle> Renderer::createIrradianceVolume(const IrradianceVolume& volume) {

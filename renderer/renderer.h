@@ -86,6 +86,8 @@ public:
     Result<void> updateMaterial(MaterialHandle, const MaterialDesc&);
     Result<EnvironmentHandle> createEnvironment(const EnvironmentDesc&);
     Result<DecalMaterialHandle> createDecalMaterial(const DecalMaterialDesc&);
+    Result<LightProfileHandle> createLightProfile(const LightProfileDesc&);
+    Result<LightCookieHandle> createLightCookie(const LightCookieDesc&);
     void destroy(MeshHandle);
     void destroy(ImageHandle);
     void destroy(MaterialHandle);
@@ -96,6 +98,8 @@ public:
     Result<void> updateIrradianceVolume(IrradianceVolumeHandle, const IrradianceVolume&);
     void destroy(IrradianceVolumeHandle);
     void destroy(DecalMaterialHandle);
+    void destroy(LightProfileHandle);
+    void destroy(LightCookieHandle);
 
     // Worlds: instances that the renderer keeps, so that a frame costs what is seen and what changed, not what exists.
     // An instance that was updated moves from where the last frame had it; Instance::previousTransform and

@@ -11,6 +11,7 @@ set(RUSHLIGHT_SHADER_FILES
   common/fullscreen.vert
   common/gbuffer.glsl
   common/irradiance_probes.glsl
+  common/light_patterns.glsl
   common/lighting.glsl
   common/lighting_block.glsl
   common/lighting_varyings.glsl
@@ -30,6 +31,7 @@ set(RUSHLIGHT_SHADER_FILES
   interop/frame_uniforms.h
   interop/interop.h
   interop/irradiance_volume.h
+  interop/light_patterns.h
   interop/occlusion_arc.h
   interop/screen_uniforms.h
   interop/ltc.h

@@ -55,6 +55,12 @@ private:
     void buildCameras();
     void buildLights();
 
+    // gltf_light_patterns.cpp
+    void buildLightProfiles();
+    void buildNodeLight(int node, const tinygltf::Node& source);
+    bool readLightExtras(Light& light, const tinygltf::Value& extras);
+    void useProfile(Light& light, int profile, bool itsCandela);
+
     // gltf_animation.cpp
     void buildSkins();
     void checkSkinnedNodes() const;

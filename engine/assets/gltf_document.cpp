@@ -98,6 +98,26 @@ void readImages(GltfDocument& document, const Json& json, const LoadOptions& opt
     }
 }
 
+void readLightProfiles(GltfDocument& document, const Json& json, const LoadOptions& options) {
+    if (!json.contains("extensions") || !json["extensions"].contains("EXT_lights_ies")) return;
+    for (const Json& profile : json["extensions"]["EXT_lights_ies"]["lights"]) {
+        ImageSource source;
+        source.name = text(profile, "name");
+        const std::string uri = text(profile, "uri");
+        if (!uri.empty() && !isDataUri(uri)) source.name = uri;
+        if (source.name.empty()) source.name = numbered("light profile", document.lightProfiles.size());
+        try {
+            std::string mimeType;
+            source.bytes = profile.contains("bufferView")
+                               ? document.viewBytes(profile["bufferView"].get<int>())
+                               : fetch(document, uri, mimeType, options);
+        } catch (const InputError& error) {
+            source.problem = error.message;
+        }
+        document.lightProfiles.push_back(std::move(source));
+    }
+}
+
 /// tinygltf refuses indices whose accessor has no buffer view (all zeros, sparse, or compressed), which the format
 /// allows: they borrow view 0 on the way through it. Returns the accessors to mend.
 std::vector<size_t> lendBufferViews(Json& json) {
@@ -153,6 +173,7 @@ GltfDocument readDocument(const std::filesystem::path& path, const LoadOptions& 
     const Json images = json.contains("images") ? Json{{"images", json["images"]}} : Json::object();
     buildStructs(document, json);
     readImages(document, images, options);
+    readLightProfiles(document, json, options);
     return document;
 }
 

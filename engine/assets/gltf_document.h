@@ -24,6 +24,7 @@ struct GltfDocument {
     tinygltf::Model gltf;
     std::vector<std::span<const uint8_t>> buffers;
     std::vector<ImageSource> images;
+    std::vector<ImageSource> lightProfiles;  ///< of EXT_lights_ies
     std::vector<std::string> extensionsUsed;
     std::vector<std::span<const uint8_t>> decodedViews;  ///< of compressed buffer views; else empty
     std::vector<Bytes> owned;  ///< what the spans point into, besides `container`

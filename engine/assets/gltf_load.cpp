@@ -23,6 +23,7 @@ Model GltfBuilder::build() {
     buildMaterials();
     buildMeshes();
     buildCameras();
+    buildLightProfiles();
     buildLights();
     buildNodes();
     buildScene();

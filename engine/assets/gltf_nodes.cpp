@@ -55,6 +55,7 @@ void GltfBuilder::buildNodes() {
                    std::to_string(gltf_.meshes[size_t(node.mesh)].primitives[0].targets.size()) +
                    " morph targets.");
     }
+    for (size_t i = 0; i < gltf_.nodes.size(); ++i) buildNodeLight(int(i), gltf_.nodes[i]);
     for (size_t i = 0; i < gltf_.nodes.size(); ++i) {
         const auto instancing = gltf_.nodes[i].extensions.find("EXT_mesh_gpu_instancing");
         if (instancing != gltf_.nodes[i].extensions.end())
@@ -147,6 +148,7 @@ void GltfBuilder::buildLights() {
             light.innerConeAngle = float(source.spot.innerConeAngle);
             light.outerConeAngle = float(source.spot.outerConeAngle);
         }
+        readLightExtras(light, source.extras);
         model_.lights.push_back(std::move(light));
     }
     if (!model_.lights.empty()) exact("KHR_lights_punctual");

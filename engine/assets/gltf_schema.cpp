@@ -15,10 +15,11 @@ constexpr std::array<const char*, 13> kArrays = {
     "meshes",    "nodes",      "samplers", "scenes",     "skins",    "textures"};
 
 /// What loadModel does, exactly or as far as the picture is concerned; anything else required is refused.
-constexpr std::array<std::string_view, 8> kSupported = {
+constexpr std::array<std::string_view, 9> kSupported = {
     "KHR_lights_punctual",   "KHR_texture_transform", "KHR_materials_emissive_strength",
     "KHR_materials_unlit",   "KHR_mesh_quantization", "EXT_texture_webp",
-    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression"};
+    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
+    "EXT_lights_ies"};
 
 void checkAsset(const JsonObject& root) {
     const JsonObject asset(*root.object("asset", Need::required), "asset");
@@ -145,7 +146,8 @@ void checkSchema(const Json& gltf) {
     checkAsset(root);
     checkExtensions(root);
     Counts counts = countArrays(root);
-    counts.lights = checkLights(root);
+    counts.lightProfiles = checkLightProfiles(counts, root);
+    counts.lights = checkLights(counts, root);
     checkBuffers(counts, root);
     checkAccessors(counts, root);
     checkTextures(counts, root);

@@ -96,7 +96,7 @@ void checkCameras(const JsonObject& root) {
     });
 }
 
-size_t checkLights(const JsonObject& root) {
+size_t checkLights(const Counts& counts, const JsonObject& root) {
     const Json* json = findExtension(root, "KHR_lights_punctual");
     if (!json) return 0;
     const JsonObject extension(*json, "KHR_lights_punctual");
@@ -108,6 +108,7 @@ size_t checkLights(const JsonObject& root) {
             light.number("intensity", 0, FLT_MAX);
             light.number("range", kJustAboveZero, FLT_MAX);
             if (light.json()["type"] == "spot") checkSpot(light);
+            checkLightExtras(counts, light);
         },
         Need::required);
     return extension.json()["lights"].size();

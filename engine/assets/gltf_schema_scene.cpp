@@ -69,6 +69,8 @@ void checkNodes(const Counts& counts, const JsonObject& root) {
         if (const Json* json = findExtension(node, "KHR_lights_punctual"))
             JsonObject(*json, node.what() + " KHR_lights_punctual")
                 .index("light", counts.lights, Need::required);
+        checkNodeProfile(counts, node);
+        checkLightExtras(counts, node);
         checkInstancing(counts, node);
     });
 }

@@ -143,15 +143,26 @@ struct Camera {
 
 enum class LightType : uint8_t { directional, point, spot };
 
-/// KHR_lights_punctual: shines along its node's local -z.
+/// A photometric web of type C: candela by direction, as an IES file (engine/assets/ies.h) has it. Degrees.
+struct LightProfile {
+    std::string name;
+    std::vector<float> verticalAngles;    ///< from the light's direction, increasing, two or more
+    std::vector<float> horizontalAngles;  ///< about it; 0 alone, to 90, 180 or 360, or 90 to 270
+    std::vector<float> candela;           ///< of each horizontal angle in turn, at all vertical ones
+    float largestCandela = 0;
+};
+
+/// KHR_lights_punctual: shines along its node's local -z. Or EXT_lights_ies: a point light with a profile.
 struct Light {
     std::string name;
     LightType type = LightType::point;
     vec3 color{1};        ///< linear
-    float intensity = 1;  ///< lux for directional, candela for point and spot
+    float intensity = 1;  ///< lux for directional, candela for point and spot: of its brightest direction
     float range = 0;      ///< metres; 0: unbounded
     float innerConeAngle = 0;
     float outerConeAngle = kPi / 4;
+    int profile = -1;  ///< about the node's local -z, the horizontal angle from +x towards +y
+    int cookie = -1;   ///< Model::images: upright about +y for who looks along -z
 };
 
 struct Skin {
@@ -195,6 +206,7 @@ struct Model {
     std::vector<int> roots;  ///< of the scene to show
     std::vector<Camera> cameras;
     std::vector<Light> lights;
+    std::vector<LightProfile> lightProfiles;
     std::vector<Skin> skins;
     std::vector<Animation> animations;
     Fidelity fidelity;

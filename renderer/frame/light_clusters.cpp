@@ -29,6 +29,22 @@ GpuLight toGpu(const PunctualLight& light, const vec3& cameraPosition) {
     return gpu;
 }
 
+bool hasPattern(const PunctualLight& light) { return light.profile || light.cookie; }
+
+/// As shaders/common/light_patterns.glsl reads it.
+void addPatterns(const PunctualLight& light, const LightPatternStore& patterns,
+                 GpuLightModulation& modulation) {
+    const LightPatternFrame frame = patternFrameOf(light);
+    modulation.right = frame.right;
+    modulation.up = frame.up;
+    modulation.cotangent = frame.cotangent;
+    if (const auto* profile = patterns.find(light.profile)) {
+        modulation.profile = float(profile->layer + 1);
+        modulation.perRadian = profile->perRadian;
+    }
+    if (const auto* cookie = patterns.find(light.cookie)) modulation.cookie = float(cookie->layer + 1);
+}
+
 /// As shaders/common/area_lights.glsl reads it.
 GpuAreaLight toGpu(const AreaLight& light, const vec3& cameraPosition) {
     GpuAreaLight gpu;
@@ -143,21 +159,25 @@ void LightClusters::build(const CameraMatrices& camera, uint32_t width, uint32_t
 void LightClusters::gather(const CameraMatrices& camera, const ClusterInputs& inputs) {
     visible_.clear();
     visibleOfClass = {};
+    visiblePatterns = 0;
     nearest_ = std::numeric_limits<float>::max();
     farthest_ = 0;
     for (uint32_t i = 0; i < inputs.punctual.size(); ++i) {
         const bool shadowed = !inputs.shadowRecords.empty() && inputs.shadowRecords[i] >= 0;
-        addIfVisible(camera, i, shadowed ? LightClass::modulated : LightClass::plain,
-                     volumeOf(inputs.punctual[i]));
+        const bool pattern = inputs.patterns && hasPattern(inputs.punctual[i]);
+        const bool visible =
+            addIfVisible(camera, i, shadowed || pattern ? LightClass::modulated : LightClass::plain,
+                         volumeOf(inputs.punctual[i]));
+        visiblePatterns += visible && pattern;
     }
     for (uint32_t i = 0; i < inputs.area.size(); ++i)
         addIfVisible(camera, i, LightClass::area, volumeOf(inputs.area[i]));
     visibleLights = uint32_t(visible_.size());
 }
 
-void LightClusters::addIfVisible(const CameraMatrices& camera, uint32_t index,
+bool LightClusters::addIfVisible(const CameraMatrices& camera, uint32_t index,
                                  LightClass lightClass, LightVolume volume) {
-    if (!isVisible(camera, volume)) return;
+    if (!isVisible(camera, volume)) return false;
     const auto toView = [&](const vec3& v) {
         return vec3(glm::dot(v, camera.right), glm::dot(v, camera.up), glm::dot(v, camera.forward));
     };
@@ -169,6 +189,7 @@ void LightClusters::addIfVisible(const CameraMatrices& camera, uint32_t index,
     farthest_ = std::max(farthest_, volume.center.z + volume.radius);
     visible_.push_back({index, lightClass, volume});
     ++visibleOfClass[size_t(lightClass)];
+    return true;
 }
 
 // Froxels about a third as wide as a light looks from side to side: smaller ones cost more to fill than they save in
@@ -225,8 +246,13 @@ void LightClusters::addLight(const CameraMatrices& camera, const ClusterInputs& 
     lights.push_back(toGpu(from, camera.position));
     if (light.lightClass == LightClass::modulated) {
         GpuLightModulation modulation;
-        modulation.shadowRecord = float(inputs.shadowRecords[light.index]);
+        if (!inputs.shadowRecords.empty())
+            modulation.shadowRecord = float(inputs.shadowRecords[light.index]);
         modulation.radius = from.radius;
+        if (inputs.patterns && hasPattern(from)) {
+            addPatterns(from, *inputs.patterns, modulation);
+            lights.back().direction = patternFrameOf(from).forward;
+        }
         lights.push_back(std::bit_cast<GpuLight>(modulation));
     }
 }

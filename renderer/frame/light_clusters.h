@@ -4,6 +4,7 @@
 
 #include "engine/core/jobs.h"
 #include "renderer/frame/light_coverage.h"
+#include "renderer/frame/light_pattern_store.h"
 #include "renderer/frame/view_math.h"
 
 #include <array>
@@ -15,7 +16,7 @@ namespace rushlight {
 /// Lights that need the same work in a shader are listed together and have a loop of their own there.
 enum class LightClass : uint8_t {
     plain,      ///< point and spot lights; one slot
-    modulated,  ///< those whose light is multiplied by a shadow; two slots
+    modulated,  ///< those whose light is multiplied by a shadow, a profile or a cookie; two slots
     area,       ///< surfaces that shine; two slots
 };
 static_assert(uint32_t(LightClass::area) + 1 == kLightClasses);
@@ -35,7 +36,11 @@ static_assert(sizeof(GpuLight) == 48);
 struct GpuLightModulation {
     float shadowRecord = -1;  ///< whole; < 0: casts no shadow
     float radius = 0;         ///< metres
-    float unused[10] = {};
+    float profile = 0, cookie = 0;  ///< layers of the light patterns, plus one; 0: none
+    vec3 right{0};            ///< of the light's frame, relative position's axes
+    float perRadian = 0;      ///< see webAngles() of interop/light_patterns.h
+    vec3 up{0};
+    float cotangent = 0;      ///< see cookieCoordinates()
 };
 static_assert(sizeof(GpuLightModulation) == sizeof(GpuLight));
 
@@ -59,6 +64,7 @@ struct ClusterInputs {
     /// Of each punctual light, the shadow record that shaders look up, or -1; empty: none has one.
     std::span<const int32_t> shadowRecords;
     std::span<const AreaLight> area;
+    const LightPatternStore* patterns = nullptr;  ///< null: no light has a profile or a cookie
 };
 
 /// A froxel's record: one word in frames of plain lights alone, else two. Its indices are sorted by class and, within
@@ -86,6 +92,7 @@ struct LightClusters {
 
     uint32_t visibleLights = 0;
     std::array<uint32_t, kLightClasses> visibleOfClass{};
+    uint32_t visiblePatterns = 0;  ///< lights with a profile or a cookie
     /// Lights left out of lists: 0 unless over 1,023 of a class reach one froxel or the lists hold over 4,194,303
     /// together.
     uint32_t droppedReferences = 0;
@@ -104,7 +111,7 @@ private:
         LightVolume volume;
     };
     void gather(const CameraMatrices&, const ClusterInputs&);
-    void addIfVisible(const CameraMatrices&, uint32_t index, LightClass, LightVolume worldVolume);
+    bool addIfVisible(const CameraMatrices&, uint32_t index, LightClass, LightVolume worldVolume);
     void chooseResolution(const CameraMatrices&, uint32_t width, uint32_t height);
     void chooseGrid(const CameraMatrices&, uint32_t width, uint32_t height);
     /// Lists of a froxel that are counted: one where there are plain lights alone.

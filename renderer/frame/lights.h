@@ -1,6 +1,7 @@
 #pragma once
 // The light of one frame. Radiometric units are photometric ones times a colour; linear Rec.709.
 
+#include "renderer/frame/light_patterns.h"
 #include "renderer/frame/resource_descs.h"
 
 namespace rushlight {
@@ -17,12 +18,15 @@ struct PunctualLight {
     vec3 position{0};
     vec3 intensity{1};          ///< candela times colour
     float range = 0;            ///< metres; 0: unbounded
-    vec3 direction{0, -1, 0};   ///< unit, world space, the way a spot shines
+    vec3 direction{0, -1, 0};   ///< unit, world space, the way a spot shines; the axis of `profile` and `cookie`
     float innerConeAngle = 0;   ///< radians from the axis
     float outerConeAngle = -1;  ///< < 0: a point light
     bool castsShadow = false;
     float radius = 0;           ///< metres, of the source, for soft shadows; 0: a point
     float shadowNear = 0.05f;   ///< metres; what is nearer to the light casts no shadow: its own bulb or housing
+    LightProfileHandle profile = {};  ///< null: as bright in all directions; `intensity` is that of its brightest
+    LightCookieHandle cookie = {};    ///< null: none
+    vec3 up{0, 0, -1};           ///< for the roll of those two; any length, best at right angles to `direction`
 };
 
 enum class AreaShape : uint8_t { rectangle, disk, sphere, tube };

@@ -41,6 +41,7 @@ void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) con
     if (plainLights) defines.push_back("PLAIN_LIGHTS");
     if (modulatedLights) defines.push_back("MODULATED_LIGHTS");
     if (punctualShadow) defines.push_back("PUNCTUAL_SHADOW");
+    if (lightPatterns) defines.push_back("LIGHT_PATTERNS");
     if (shadowCascades > 0 || punctualShadow) {
         if (shadowFilter == ShadowFilter::hard) defines.push_back("SHADOW_HARD");
         if (shadowFilter == ShadowFilter::soft) defines.push_back("SHADOW_SOFT");
@@ -67,6 +68,8 @@ void LightingBindings::record(PassContext& context) const {
             BindTexture{RL_TEXTURE_SHADOW_ATLAS, context.texture(shadowAtlas), shadowSampler});
         commands.push(BindTexelBuffer{RL_TEXTURE_SHADOW_FACES, Format::rgba32f, {}, shadowFaces});
     }
+    if (features.lightPatterns)
+        commands.push(BindTexture{RL_TEXTURE_LIGHT_PATTERNS, lightPatterns, patternSampler});
     if (features.environment) {
         commands.push(BindTexture{RL_TEXTURE_ENVIRONMENT, environment, cubeSampler});
         if (!features.irradianceVolume)

@@ -18,6 +18,7 @@ struct LightingFeatures {
     bool plainLights = false;      ///< LightClass::plain, in the froxels' lists
     bool modulatedLights = false;  ///< LightClass::modulated
     bool punctualShadow = false;   ///< some of them have shadow records
+    bool lightPatterns = false;    ///< some of them have profiles or cookies
     ShadowFilter shadowFilter = ShadowFilter::pcf;
     bool environment = false;
     bool hemisphere = false;
@@ -46,6 +47,8 @@ struct LightingBindings {
     SamplerHandle cubeSampler;
     TextureHandle brdfTable;
     TextureHandle ltcTable;  ///< where there are area lights
+    TextureHandle lightPatterns;  ///< where lights have profiles or cookies
+    SamplerHandle patternSampler;
     SamplerHandle linearSampler;
     TextureHandle probeDistances;  ///< with an irradiance volume
     BufferRange probeRecords;

@@ -37,6 +37,13 @@ uint64_t hashOf(const BakeLighting& lighting) {
         add(light.direction);
         add(light.innerConeAngle);
         add(light.outerConeAngle);
+        for (const LightPattern* pattern : {lighting.patterns ? lighting.patterns->find(light.profile) : nullptr,
+                                            lighting.patterns ? lighting.patterns->find(light.cookie) : nullptr}) {
+            if (!pattern) continue;
+            hash = hashBytes(pattern->texels.data(), pattern->texels.size() * sizeof(vec3), hash);
+            add(pattern->perRadian);
+            add(light.up);
+        }
     }
     const EnvironmentDesc& env = lighting.environment;
     hash = hashBytes(env.pixels.data(), env.pixels.size_bytes(), hash);
@@ -53,6 +60,7 @@ uint64_t hashOf(const BakeLighting& lighting) {
 
 Result<BakeLight> BakeLight::create(const BakeLighting& lighting, JobSystem& jobs) {
     BakeLight out;
+    out.patterns_ = lighting.patterns;
     const auto wrong = [](const char* what) { return fail("baked light", what, ErrorKind::wrongUse); };
     for (const DirectionalLight& light : lighting.directional) {
         const float length = glm::length(light.direction);

@@ -14,6 +14,7 @@ namespace rushlight {
 struct BakeLighting {
     std::span<const DirectionalLight> directional;
     std::span<const PunctualLight> punctual;
+    const LightPatternSet* patterns = nullptr;  ///< of those; must outlive the BakeLight; null: none has any
     EnvironmentDesc environment;  ///< no pixels: the hemisphere below
     float environmentRotation = 0;
     float environmentIntensity = 1;
@@ -37,6 +38,10 @@ public:
 
     std::span<const DirectionalLight> suns() const { return suns_; }
     std::span<const PunctualLight> punctual() const { return punctual_; }
+    /// The factor of a light's profile and cookie.
+    vec3 pattern(const PunctualLight& light, const vec3& direction) const {
+        return patterns_ && (light.profile || light.cookie) ? patterns_->factor(light, direction) : vec3(1);
+    }
     /// Of a unit direction to where nothing is.
     vec3 sky(const vec3& direction) const;
     SkySample sampleSky(RayRandom& random) const;
@@ -50,6 +55,7 @@ private:
 
     std::vector<DirectionalLight> suns_;  // directions of unit length
     std::vector<PunctualLight> punctual_;
+    const LightPatternSet* patterns_ = nullptr;
     uint32_t width_ = 0, height_ = 0;  // of the table, equirectangular
     std::vector<vec3> radiance_;
     std::vector<float> density_;     // by texel, per steradian

@@ -71,7 +71,7 @@ vec3 PathTracer::punctualLight(const Surface& s, RayRandom& random) const {
             attenuation *= interop::spotAttenuation(
                 -glm::dot(l, light.direction),
                 interop::spotScaleOffset(light.innerConeAngle, light.outerConeAngle));
-        const vec3 irradiance = light.intensity * (attenuation * cosine);
+        const vec3 irradiance = light.intensity * light_.pattern(light, -l) * (attenuation * cosine);
         const float weight = luminance(irradiance);
         if (!(weight > 0)) continue;
         total += weight;

@@ -3,6 +3,7 @@
 #include "engine/core/check.h"
 #include "engine/scene/deform.h"
 #include "engine/scene/pose.h"
+#include "renderer/scene_bridge/light_uploads.h"
 #include "renderer/scene_bridge/materials.h"
 #include "renderer/scene_bridge/scene_lights.h"
 
@@ -27,7 +28,7 @@ MeshDesc meshDesc(const assets::Geometry& geometry) {
 }  // namespace
 
 struct SceneBridge::State {
-    State(Renderer& r, const assets::Model& m) : renderer(r), model(m), materials(r, m) {}
+    State(Renderer& r, const assets::Model& m) : renderer(r), model(m), materials(r, m), uploads(r, m) {}
     ~State() {
         for (MeshHandle mesh : meshes) renderer.destroy(mesh);
     }
@@ -44,6 +45,7 @@ struct SceneBridge::State {
     Renderer& renderer;
     const assets::Model& model;
     MaterialUploads materials;
+    LightUploads uploads;  ///< of profiles and cookies
     std::vector<MeshHandle> meshes;    ///< all that are to be destroyed
     std::vector<uint32_t> meshOf;      ///< as `drawables`: which of `meshes`
 
@@ -96,6 +98,7 @@ Result<void> SceneBridge::State::addInstances() {
     now = scene::restPose(model);
     nodes = scene::reachableNodes(model);
     drawables = scene::listDrawables(model, now);
+    if (auto created = uploads.create(); !created) return created;
     if (auto created = createMeshes(); !created) return created;
     for (size_t i = 0; i < drawables.size(); ++i)
         if (auto added = addInstance(drawables[i], meshes[meshOf[i]]); !added) return added;
@@ -152,7 +155,7 @@ Result<void> SceneBridge::State::setPose(scene::Pose pose) {
             if (auto deformed = deform(i); !deformed) return deformed;
         move(i, drawables[i].worldFromLocal);
     }
-    lights = lightsOf(model, nodes, now.worldFromNode, notes);
+    lights = lightsOf(model, uploads, nodes, now.worldFromNode, notes);
     return {};
 }
 
@@ -189,6 +192,8 @@ Result<void> SceneBridge::describe(ResourceSink& sink) const {
     if (auto ok = state_->materials.describe(sink); !ok) return ok;
     return state_->describeMeshes(sink);
 }
+
+const LightPatternSet& SceneBridge::lightPatterns() const { return state_->uploads.patterns(); }
 
 bool SceneBridge::hasLights() const {
     return !state_->lights.directional.empty() || !state_->lights.punctual.empty();

@@ -35,6 +35,8 @@ public:
     Result<void> describe(ResourceSink& sink) const;
 
     bool hasLights() const;
+    /// Profiles and cookies of its lights, for rays.
+    const LightPatternSet& lightPatterns() const;
     Aabb bounds() const;  ///< of all instances, world space; empty when nothing is shown
 
     /// The camera of Model::cameras in its pose; nothing when no shown node has it.

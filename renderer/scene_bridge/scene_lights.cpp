@@ -10,7 +10,16 @@ vec3 forwardOf(const mat4& world) {
     return length > 0 ? z / length : vec3(0, -1, 0);
 }
 
-PunctualLight punctualOf(const assets::Light& from, const mat4& world) {
+void addPatterns(const assets::Light& from, const LightUploads& uploads, const mat4& world,
+                 PunctualLight& light) {
+    if (from.profile < 0 && from.cookie < 0) return;
+    light.profile = uploads.profile(from.profile);
+    light.cookie = uploads.cookie(from.cookie);
+    light.direction = forwardOf(world);
+    light.up = vec3(world[1]);
+}
+
+PunctualLight punctualOf(const assets::Light& from, const LightUploads& uploads, const mat4& world) {
     PunctualLight light;
     light.position = vec3(world[3]);
     light.intensity = from.color * from.intensity;
@@ -21,6 +30,7 @@ PunctualLight punctualOf(const assets::Light& from, const mat4& world) {
         light.innerConeAngle = from.innerConeAngle;
         light.outerConeAngle = from.outerConeAngle;
     }
+    addPatterns(from, uploads, world, light);
     return light;
 }
 
@@ -35,7 +45,7 @@ void limit(std::vector<Light>& lights, uint32_t most, const char* kind,
 
 }  // namespace
 
-SceneLights lightsOf(const assets::Model& model, const std::vector<int>& nodes,
+SceneLights lightsOf(const assets::Model& model, const LightUploads& uploads, const std::vector<int>& nodes,
                      const std::vector<mat4>& world, std::vector<std::string>& notes) {
     SceneLights lights;
     for (int node : nodes) {
@@ -44,7 +54,7 @@ SceneLights lightsOf(const assets::Model& model, const std::vector<int>& nodes,
         const assets::Light& from = model.lights[size_t(index)];
         const mat4& transform = world[size_t(node)];
         if (from.type != assets::LightType::directional) {
-            lights.punctual.push_back(punctualOf(from, transform));
+            lights.punctual.push_back(punctualOf(from, uploads, transform));
             continue;
         }
         DirectionalLight light;

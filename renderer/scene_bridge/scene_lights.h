@@ -2,6 +2,7 @@
 
 #include "engine/assets/model.h"
 #include "renderer/frame/frame_input.h"
+#include "renderer/scene_bridge/light_uploads.h"
 
 #include <optional>
 #include <string>
@@ -16,7 +17,7 @@ struct SceneLights {
 
 /// The lights of the shown nodes in their order, as many as a frame takes; `notes` tells how many
 /// are over.
-SceneLights lightsOf(const assets::Model&, const std::vector<int>& nodes,
+SceneLights lightsOf(const assets::Model&, const LightUploads&, const std::vector<int>& nodes,
                      const std::vector<mat4>& world, std::vector<std::string>& notes);
 
 /// A camera at the node's place and turn; scale is ignored (glTF 2.0, section 3.10).

@@ -203,6 +203,7 @@ BakeLighting RenderSetup::bakeLighting() const {
     BakeLighting lighting;
     lighting.directional = from.directional;
     lighting.punctual = from.punctual;
+    lighting.patterns = &bridge_->lightPatterns();
     lighting.environment = {"environment", environmentSize_.x, environmentSize_.y,
                             environmentPixels_};
     lighting.environmentRotation = from.environmentRotation;

@@ -55,7 +55,14 @@ LightSample sampleLight(int listed, LitSurface s) {
     return r;
 }
 
+#if defined(LIGHT_PATTERNS)
+#include "common/light_patterns.glsl"
+#endif
+
 vec3 clusteredLight(LitSurface s, vec2 pixel) {
+#if defined(LIGHT_PATTERNS)
+    float footprint = sqrt(length(cross(dFdx(s.position), dFdy(s.position))));
+#endif
     int cluster = clusterAt(pixel, s.viewDepth);
     uint record = texelFetch(clusterTexels, cluster * CLUSTER_WORDS).x;
     int first = int(record >> 10);
@@ -75,12 +82,15 @@ vec3 clusteredLight(LitSurface s, vec2 pixel) {
 #if defined(MODULATED_LIGHTS)
     for (int i = 0; i < count; ++i) {
         LightSample light = sampleLight(first + i, s);
-        // x: shadow record, y: the source's radius
+        // x: shadow record, y: the source's radius, zw: profile and cookie
         vec4 modulation = texelFetch(lightTexels, light.texel + 3);
 #if defined(PUNCTUAL_SHADOW)
         if (modulation.x >= 0.0)
             light.attenuation *= punctualVisibility(int(modulation.x), s, light.direction,
                                                     sqrt(light.distanceSquared));
+#endif
+#if defined(LIGHT_PATTERNS)
+        light.intensity *= lightPattern(light, modulation, footprint);
 #endif
         sum += evaluateBrdf(s.point, light.direction) * light.intensity * light.attenuation;
     }

@@ -52,6 +52,7 @@
 #define RL_TEXTURE_IRRADIANCE 20
 #define RL_TEXTURE_SHADOW_ATLAS 21
 #define RL_TEXTURE_SHADOW_FACES 22
+#define RL_TEXTURE_LIGHT_PATTERNS 24
 #define RL_TEXTURE_AMBIENT_OCCLUSION 25
 // Irradiance probes, where they are looked up; and what lighting reads of that, in the same units
 #define RL_TEXTURE_PROBE_DISTANCES 26

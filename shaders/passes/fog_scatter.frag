@@ -57,11 +57,14 @@ vec3 clusteredScattering(LitSurface s, Piece piece, vec2 pixel) {
     for (int i = 0; i < count; ++i) {
         LightSample light = sampleLight(first + i, s);
         s.facing = vec4(light.direction, 0.0);
+        vec4 modulation = texelFetch(lightTexels, light.texel + 3);
 #if defined(PUNCTUAL_SHADOW)
-        float record = texelFetch(lightTexels, light.texel + 3).x;
-        if (record >= 0.0)
-            light.attenuation *= punctualVisibility(int(record), s, light.direction,
+        if (modulation.x >= 0.0)
+            light.attenuation *= punctualVisibility(int(modulation.x), s, light.direction,
                                                     sqrt(light.distanceSquared));
+#endif
+#if defined(LIGHT_PATTERNS)
+        light.intensity *= lightPattern(light, modulation, 2.0 * piece.width);
 #endif
         sum += lampScattering(light, s, piece);
     }

@@ -1,91 +1,14 @@
 // Lights on a plane against their closed forms, by whole frames.
-#include "engine/core/jobs.h"
-#include "interop/brdf.h"
-#include "renderer/frame/brdf_table.h"
-#include "tests/support/lit_frame.h"
+#include "tests/support/lit_plane.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
 namespace rushlight {
 namespace {
 
-constexpr uint32_t kSide = 96;
-constexpr float kHalf = 2;  // metres that the picture shows to each side of the origin
-
-class LightsGl : public LitFrame {
-protected:
-    LightsGl() : LitFrame(kSide, kSide) {}
-
-    void SetUp() override {
-        LitFrame::SetUp();
-        const std::vector<vec3> corners{{-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}};
-        const std::vector<vec3> normals(4, vec3(0, 1, 0));
-        const std::vector<uint32_t> indices{0, 1, 2, 0, 2, 3};
-        MeshDesc plane;
-        plane.label = "plane";
-        plane.positions = corners;
-        plane.normals = normals;
-        plane.indices = indices;
-        plane_ = renderer->createMesh(plane).value();
-        lookDown(kHalf, 5);
-        input.settings.dither = false;
-        input.settings.toneMap = ToneMap::none;
-        input.settings.antiAliasing = AntiAliasing::off;
-    }
-    CapturedImage render(const MaterialDesc& material, CaptureKind kind = CaptureKind::hdr) {
-        const MaterialHandle handle = renderer->createMaterial(material).value();
-        Instance instance;
-        instance.mesh = plane_;
-        instance.material = handle;
-        instances = {instance};
-        const CapturedImage image = LitFrame::render(kind);
-        renderer->destroy(handle);
-        return image;
-    }
-    /// The irradiance that each pixel's radiance means: the diffuse light alone, as white less black.
-    std::vector<float> irradiance() {
-        MaterialDesc material;
-        material.metallic = 0;
-        const CapturedImage white = render(material);
-        material.baseColor = {0, 0, 0, 1};
-        const CapturedImage black = render(material);
-        SerialJobs jobs;
-        const vec2 table = makeBrdfTable(jobs).lookUp(1, 1);
-        const vec3 albedo = interop::makeShadingPoint(vec3(0), 0, 1, {0, 0, 1}, {0, 0, 1}, table).specularAlbedo;
-        std::vector<float> result;
-        for (size_t i = 0; i < white.rgba32f.size(); i += 4)
-            result.push_back((white.rgba32f[i] - black.rgba32f[i]) * kPi / (1 - albedo.x));
-        return result;
-    }
-    /// Compares with `expected(point on the plane)` where that is above `least`, within one in a hundred. Where it is
-    /// negative nothing is known; elsewhere there must be hardly any light.
-    void expectIrradiance(const std::function<float(vec3)>& expected, float least) {
-        const std::vector<float> got = irradiance();
-        ASSERT_EQ(got.size(), size_t(kSide) * kSide);
-        float worst = 0;
-        size_t compared = 0;
-        for (uint32_t y = 0; y < kSide; ++y)
-            for (uint32_t x = 0; x < kSide; ++x) {
-                const vec3 point((2 * (float(x) + 0.5f) / kSide - 1) * kHalf, 0,
-                                 (2 * (float(y) + 0.5f) / kSide - 1) * kHalf);
-                const float truth = expected(point), value = got[y * kSide + x];
-                if (truth < 0) continue;
-                if (truth <= least) {
-                    EXPECT_LE(value, least * 1.1f + 1e-4f) << x << " " << y;
-                    continue;
-                }
-                worst = std::max(worst, std::abs(value / truth - 1));
-                ++compared;
-            }
-        EXPECT_LT(worst, 0.01f);
-        EXPECT_GT(compared, 500u);
-    }
-
-    MeshHandle plane_;
-};
+using LightsGl = LitPlane;
 
 TEST_F(LightsGl, APointLightFallsOffByTheInverseSquareAndTheCosine) {
     PunctualLight light;

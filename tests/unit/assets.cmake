@@ -2,6 +2,7 @@ find_package(nlohmann_json REQUIRED)
 
 add_executable(assets_test
   assets_corpus_test.cpp
+  assets_ies_test.cpp
   assets_image_test.cpp
   assets_load_test.cpp
   assets_pose_test.cpp

@@ -2,6 +2,7 @@
 find_package(Threads REQUIRED)
 add_executable(raytrace_test
   irradiance_volume_test.cpp
+  light_patterns_test.cpp
   probe_bake_test.cpp
   ray_scene_test.cpp)
 target_link_libraries(raytrace_test PRIVATE

@@ -1,0 +1,21 @@
+#pragma once
+// IESNA LM-63 photometric files (.ies): how bright a luminaire is in which direction.
+
+#include "engine/assets/model.h"
+#include "engine/core/result.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace rushlight::assets {
+
+/// LM-63-1986, -1991, -1995, -2002 and -2019 with type C photometry and TILT=NONE or TILT=INCLUDE, whose factors are for a
+/// luminaire that hangs askew and are not applied. Candela is as it shines: times the candela multiplier and the ballast
+/// factor. `name` is for messages.
+Result<LightProfile> parseIes(std::string_view name, std::string_view text);
+Result<LightProfile> loadIes(const std::filesystem::path& path);
+
+/// Lumens: candela integrated over the sphere.
+double luminousFlux(const LightProfile& profile);
+
+}  // namespace rushlight::assets
