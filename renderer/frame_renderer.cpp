@@ -211,8 +211,9 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
         if (!irradiance) return tl::unexpected(irradiance.error());
         local = *irradiance;
     }
-    const LightingPass::Inputs lightingInputs{*gbuffer,   *lighting, *ambient, local.tint,
+    LightingPass::Inputs lightingInputs{*gbuffer,   *lighting, *ambient, local.tint,
                                               local.flow, sky,       width,    height};
+    lightingInputs.contactShadows = contactShadows(input);
     const auto lit = lightingPass_.add(plan_, lightingInputs);
     if (!lit) return tl::unexpected(lit.error());
     const ShownImage show = input.settings.show;

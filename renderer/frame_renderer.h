@@ -83,6 +83,10 @@ private:
     Result<void> addShadowPasses(const FrameInput&, LightingBindings&);
     Result<void> addLightShadowPass(LightingBindings&);
     Result<void> planPasses(const FrameInput&, const FrameOutput&, const CameraMatrices&);
+    /// Whether the frame has them.
+    bool contactShadows(const FrameInput& input) const {
+        return input.settings.contactShadows && input.settings.shadows && sun_ >= 0;
+    }
     Result<LightingBindings> bindLighting(const FrameInput&, const CameraMatrices&,
                                           const FrameOutput&);
     DecalBindings bindDecals(const FrameInput&, const FrameOutput&, const CameraMatrices&,

@@ -125,6 +125,9 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
         return wrong("settings", "ambientOcclusionRadius is " +
                                      std::to_string(s.ambientOcclusionRadius) +
                                      " m; it must be finite and over 0.");
+    if (!(s.contactShadowLength > 0) || !std::isfinite(s.contactShadowLength))
+        return wrong("settings", "contactShadowLength is " + std::to_string(s.contactShadowLength) +
+                                     " m; it must be finite and over 0.");
     if (s.shadows && (s.shadowCascades < 1 || s.shadowCascades > 4 ||
                       s.shadowResolution < 64 || s.shadowResolution > 8192))
         return wrong("settings", "shadows need 1 to 4 cascades of 64 to 8,192 texels; " +

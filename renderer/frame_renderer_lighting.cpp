@@ -1,4 +1,5 @@
 // From the lights of a frame to what the lighting shaders read.
+#include "renderer/frame/contact_shadows.h"
 #include "renderer/frame/lighting_setup.h"
 #include "renderer/frame_renderer.h"
 
@@ -35,6 +36,9 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
                                                        environment, volume);
     fogGrid_ = makeFogGrid(lighting.fog, camera, output.target.width, output.target.height);
     if (lighting.fog.density > 0) fillFog(lighting.fog, fogGrid_, camera, u);
+    if (contactShadows(input))
+        fillContactShadows(camera, output.target.width, output.target.height,
+                           vec3(u.directionalDirections[0]), input.settings.contactShadowLength, u);
     b.uniforms = uniforms(u);
     if (b.features.clusteredLights()) {
         b.lights = commands_.append(std::span<const GpuLight>(clusters_.lights));

@@ -5,6 +5,7 @@ set(RUSHLIGHT_SHADER_FILES
   common/ambient_specular.glsl
   common/area_lights.glsl
   common/clustered_lights.glsl
+  common/contact_shadow.glsl
   common/decals.glsl
   common/fog.glsl
   common/fullscreen.glsl

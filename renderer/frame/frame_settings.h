@@ -50,6 +50,10 @@ struct FrameSettings {
     uint32_t shadowAtlasSize = 4096;  ///< texels a side of the map that those lights share; 256 to 16,384, rounded down to 2^n
     uint32_t shadowTileSize = 1024;   ///< the most texels a side of a light's face; 64 to shadowAtlasSize, rounded down to 2^n
     ShadowFilter shadowFilter = ShadowFilter::pcf;
+    /// Detail that is too fine for the shadow map shadows what is next to it, as far as the screen shows it: the first sun
+    /// that casts shadows, on opaque surfaces.
+    bool contactShadows = false;
+    float contactShadowLength = 0.3f;  ///< metres, over 0: fading out over the last third
     /// Surfaces hide ambient light from each other, as far as the screen shows it. Of opaque surfaces; costs nothing
     /// where a frame has no ambient light.
     AmbientOcclusion ambientOcclusion = AmbientOcclusion::off;

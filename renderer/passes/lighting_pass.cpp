@@ -108,14 +108,17 @@ LightingPass::LightingPass(Device& device)
 // Both are full-screen triangles at the far plane. Lighting is drawn where something is nearer, the background where
 // nothing is: rejected by depth, pixels cost nothing, while a branch in the shader would save nothing on llvmpipe.
 Result<LightingPass::Entry> LightingPass::find(const Inputs& inputs) {
-    Entry entry{inputs.lighting.features, bool(inputs.ambientOcclusion), inputs.showSky, {}, {}};
+    Entry entry{inputs.lighting.features, bool(inputs.ambientOcclusion), inputs.showSky,
+                inputs.contactShadows, {}, {}};
     for (const Entry& known : entries_)
         if (known.features == entry.features && known.showSky == entry.showSky &&
-            known.ambientOcclusion == entry.ambientOcclusion)
+            known.ambientOcclusion == entry.ambientOcclusion &&
+            known.contactShadows == entry.contactShadows)
             return known;
     std::vector<std::string_view> defines;
     entry.features.appendDefines(defines);
     if (entry.ambientOcclusion) defines.push_back("AMBIENT_OCCLUSION");
+    if (entry.contactShadows) defines.push_back("CONTACT_SHADOWS");
     PipelineDesc desc;
     desc.label = "lighting";
     desc.vertexShader = "passes/lighting.vert";

@@ -78,6 +78,7 @@ public:
         ImageId localTint, localFlow;  ///< of IrradiancePass; with an irradiance volume
         bool showSky = false;
         uint32_t width = 0, height = 0;
+        bool contactShadows = false;  ///< of the first directional light, which casts
     };
     struct Outputs {
         ImageId radiance;  ///< RGBA16F, linear; alpha 0 where a transparent background shows
@@ -89,7 +90,7 @@ public:
 private:
     struct Entry {
         LightingFeatures features;
-        bool ambientOcclusion, showSky;
+        bool ambientOcclusion, showSky, contactShadows;
         PipelineHandle lighting, background;
     };
     Result<Entry> find(const Inputs&);

@@ -205,6 +205,8 @@ void addQualityOptions(CLI::App& app, RenderOptions& o) {
            [&o, filters](const std::string& text) { o.shadowFilter = filters.at(text); },
            "Edges of shadows: sharp, filtered, or softer with distance")
         ->check(CLI::IsMember(filters));
+    addSwitch(app, "--contact-shadows", o.contactShadows,
+              "Detail finer than shadow maps shadows what is next to it");
     addChoice<std::optional<AmbientOcclusion>>(
         app, "--ao", o.ambientOcclusion,
         {{"off", AmbientOcclusion::off},
@@ -306,6 +308,7 @@ FrameSettings settingsFrom(const RenderOptions& o) {
     choose(settings.ambientOcclusion, o.ambientOcclusion);
     choose(settings.ambientOcclusionRadius, o.ambientOcclusionRadius);
     choose(settings.reflections, o.reflections);
+    choose(settings.contactShadows, o.contactShadows);
     choose(settings.bloom, o.bloom);
     choose(settings.antiAliasing, o.antiAliasing);
     choose(settings.dither, o.dither);

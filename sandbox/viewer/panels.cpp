@@ -147,6 +147,7 @@ void drawSettings(ViewerSettings& settings, CameraRig& camera) {
         ImGui::Checkbox("cache still shadows", &frame.shadowCaching);
         ImGui::Checkbox("shadows of lamps", &frame.lightShadows);
         comboShadowFilter(frame);
+        ImGui::Checkbox("contact shadows", &frame.contactShadows);
         comboAmbientOcclusion(frame);
         ImGui::Checkbox("reflections of the screen", &frame.reflections);
         ImGui::Checkbox("bloom", &frame.bloom);

@@ -10,6 +10,9 @@
 #if defined(SUN_SHADOW)
 #include "common/sun_shadow.glsl"
 #endif
+#if defined(CONTACT_SHADOWS)
+#include "common/contact_shadow.glsl"
+#endif
 #if defined(PUNCTUAL_SHADOW)
 #include "common/punctual_shadow.glsl"
 #endif
@@ -26,6 +29,9 @@ vec3 directionalLight(LitSurface s) {
         vec3 light = evaluateBrdf(s.point, l) * L_ILLUMINANCE(0).rgb;
 #if defined(SUN_SHADOW)
         light *= sunVisibility(s, l);
+#endif
+#if defined(CONTACT_SHADOWS)
+        light *= contactVisibility(s, l);
 #endif
         sum += light;
     }

@@ -1,5 +1,8 @@
 #include "common/gbuffer.glsl"
 #include "common/lighting_varyings.glsl"
+
+layout(binding = RL_TEXTURE_DEPTH) uniform sampler2D depthMap;
+
 #include "common/lighting.glsl"
 #if defined(AMBIENT_OCCLUSION)
 #include "common/ambient_occlusion.glsl"
@@ -12,7 +15,6 @@
 layout(binding = RL_TEXTURE_GBUFFER0) uniform sampler2D gbuffer0;
 layout(binding = RL_TEXTURE_GBUFFER1) uniform sampler2D gbuffer1;
 layout(binding = RL_TEXTURE_GBUFFER2) uniform sampler2D gbuffer2;
-layout(binding = RL_TEXTURE_DEPTH) uniform sampler2D depthMap;
 
 layout(location = 0) out vec4 radiance;
 

@@ -52,6 +52,10 @@ protected:
         area.halfX = {1, 0, 0};
         area.halfY = {0, 0, 1};
         std::vector<vec3> sky(8 * 4, vec3(0.4f, 0.5f, 0.7f));
+        const float vertical[] = {0, 60, 120}, horizontal[] = {0}, candela[] = {3, 2, 1};
+        lamp.profile = torch.profile = *renderer->createLightProfile({"web", vertical, horizontal, candela});
+        const std::vector<uint8_t> tint{255, 200, 100, 255};
+        lamp.cookie = *renderer->createLightCookie({"tint", {"tint", 1, 1, true, tint}});
         environment = *renderer->createEnvironment({"sky", 8, 4, sky});
     }
     void expectFinite(const char* what) {
@@ -86,8 +90,10 @@ TEST_F(AllFeaturesGl, GoTogether) {
             input.lighting.fog = {};
             input.decals = {};
             input.settings.ambientOcclusion = AmbientOcclusion::off;
-            input.settings.reflections = false;
+            input.settings.reflections = input.settings.contactShadows = false;
             expectFinite("lights and shadows");
+            input.settings.contactShadows = true;
+            expectFinite("contact shadows");
             input.settings.ambientOcclusion = AmbientOcclusion::high;
             expectFinite("ambient occlusion");
             input.settings.reflections = true;

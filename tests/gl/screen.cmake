@@ -2,8 +2,10 @@ find_library(EGL_LIBRARY EGL REQUIRED)
 find_package(Threads REQUIRED)
 
 add_executable(screen_gl_test
+  contact_shadows_gl_test.cpp
   gtao_gl_test.cpp
   reflections_gl_test.cpp
+  ../support/lit_frame.cpp
   ../support/test_context.cpp)
 target_include_directories(screen_gl_test PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
 target_link_libraries(screen_gl_test PRIVATE
