@@ -8,8 +8,10 @@ namespace rushlight::assets {
 void GltfBuilder::buildLightProfiles() {
     for (const ImageSource& source : document_.lightProfiles) {
         if (!source.problem.empty()) refuse("light profile '" + source.name + "': " + source.problem);
-        auto profile = parseIes(source.name, {reinterpret_cast<const char*>(source.bytes.data()), source.bytes.size()});
+        const std::string_view text(reinterpret_cast<const char*>(source.bytes.data()), source.bytes.size());
+        auto profile = parseIes(source.name, text);
         if (!profile) refuse("light profile '" + source.name + "': " + profile.error().message);
+        if (hasTiltFactors(text)) approximated("EXT_lights_ies: tilt factors are not applied");
         model_.lightProfiles.push_back(std::move(*profile));
     }
 }

@@ -168,6 +168,11 @@ Result<LightProfile> loadIes(const std::filesystem::path& path) {
     }
 }
 
+bool hasTiltFactors(std::string_view text) {
+    IesText lines(text);
+    return findTilt(lines) == "INCLUDE";
+}
+
 // Candela is linear between the angles: over a cell, its mean at the corners with the exact solid angle of each half.
 double luminousFlux(const LightProfile& profile) {
     const std::vector<float>&v = profile.verticalAngles, &h = profile.horizontalAngles;

@@ -15,6 +15,9 @@ namespace rushlight::assets {
 Result<LightProfile> parseIes(std::string_view name, std::string_view text);
 Result<LightProfile> loadIes(const std::filesystem::path& path);
 
+/// Whether a file that can be parsed has factors for a luminaire that hangs askew.
+bool hasTiltFactors(std::string_view text);
+
 /// Lumens: candela integrated over the sphere.
 double luminousFlux(const LightProfile& profile);
 

@@ -161,6 +161,16 @@ TEST(GltfLightProfiles, AreLightsOfTheirOwnOrShapeThoseOfNodes) {
     EXPECT_NE(std::find(model->fidelity.exact.begin(), model->fidelity.exact.end(), "EXT_lights_ies"), model->fidelity.exact.end());
 }
 
+TEST(GltfLightProfiles, WhatIsNotAppliedIsListed) {
+    const TempFolder folder;
+    folder.write("even lamp.ies", "TILT=INCLUDE\n1 2 0 90 1 0.8\n1 -1 1 2 1 1 2 0 0 0 1 1 40 0 90 0 1 1\n");
+    SmallGltf gltf = lampFile();
+    const auto model = loadModel(gltf.save(folder));
+    ASSERT_TRUE(model) << model.error().text();
+    ASSERT_EQ(model->fidelity.approximated.size(), 1u);
+    EXPECT_NE(model->fidelity.approximated[0].find("tilt"), std::string::npos);
+}
+
 TEST(GltfLightProfiles, BadOnesAreErrors) {
     const auto problem = [](SmallGltf& gltf, const std::string& ies) {
         const TempFolder folder;
