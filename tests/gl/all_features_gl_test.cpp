@@ -1,9 +1,7 @@
 // Everything at once, in every combination that shares a shader: it compiles, links, and draws finite light.
 
 #include "renderer/frame/irradiance_volume.h"
-#include "renderer/renderer.h"
-#include "tests/support/shapes.h"
-#include "tests/support/test_context.h"
+#include "tests/support/lit_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -12,45 +10,29 @@
 namespace rushlight {
 namespace {
 
-class AllFeaturesGl : public testing::Test {
+class AllFeaturesGl : public LitFrame {
 protected:
+    AllFeaturesGl() : LitFrame(96, 64) {}
+
     void SetUp() override {
-        ASSERT_TRUE(context.valid()) << "no EGL surfaceless context";
-        RendererDesc desc;
-        desc.cacheDirectory = cache.path();
-        desc.loadGl = TestContext::load;
-        desc.debugOutput = true;
-        desc.validateCommands = true;
-        renderer = std::move(Renderer::create(desc).value());
+        LitFrame::SetUp();
         addBoxes();
         addLights();
         input.view.viewFromWorld = glm::lookAt(vec3(4, 3, 6), vec3(0), vec3(0, 1, 0));
-        input.settings.smallObjectPixels = 0;
         input.settings.lightShadows = true;
         input.settings.shadowResolution = 256;
         input.settings.shadowAtlasSize = 512;
         input.settings.shadowTileSize = 128;
     }
-    void TearDown() override { EXPECT_TRUE(!renderer || renderer->takeDebugMessages().empty()); }
 
     void addBoxes() {
-        const MeshHandle cube = *renderer->createMesh(makeCube().desc("box"));
         MaterialDesc glass;
         glass.baseColor = {0.5f, 0.7f, 1, 0.4f};
         glass.alphaMode = AlphaMode::blend;
         const MaterialHandle blended = *renderer->createMaterial(glass);
-        const auto add = [&](const vec3& at, const vec3& size, MaterialHandle material) {
-            Instance box;
-            box.mesh = cube;
-            box.material = material;
-            for (int c = 0; c < 3; ++c) box.worldFromLocal[c] *= size[c];
-            box.worldFromLocal[3] = at;
-            boxes.push_back(box);
-        };
-        add({0, -2, 0}, {8, 1, 8}, {});
-        add({-1, 0, 0}, vec3(0.8f), {});
-        add({1.5f, 0, 1}, vec3(0.5f), blended);
-        input.instances = boxes;
+        addBox({0, -2, 0}, {8, 1, 8});
+        addBox({-1, 0, 0}, vec3(0.8f));
+        addBox({1.5f, 0, 1}, vec3(0.5f), blended);
         decal.material = *renderer->createDecalMaterial({.label = "paint"});
         decal.worldFromDecal = mat4x3(vec3(2, 0, 0), vec3(0, 0, -2), vec3(0, 2, 0), vec3(0, -1, 0));
         decal.baseColor = {1, 0.2f, 0.1f, 0.8f};
@@ -73,10 +55,7 @@ protected:
         environment = *renderer->createEnvironment({"sky", 8, 4, sky});
     }
     void expectFinite(const char* what) {
-        CapturedImage image;
-        const auto ticket = renderer->renderOffscreen(input, 96, 64, CaptureKind::hdr);
-        ASSERT_TRUE(ticket) << what << ": " << ticket.error().text();
-        ASSERT_TRUE(renderer->takeCapture(*ticket, true, image)) << what;
+        const CapturedImage image = render();
         float sum = 0;
         for (const float value : image.rgba32f) {
             ASSERT_TRUE(std::isfinite(value)) << what;
@@ -85,16 +64,11 @@ protected:
         EXPECT_GT(sum, 100) << what;
     }
 
-    TestContext context;
-    TemporaryDirectory cache;
-    std::unique_ptr<Renderer> renderer;
-    std::vector<Instance> boxes;
     Decal decal;
     DirectionalLight sun;
     PunctualLight lamp, torch;
     AreaLight area;
     EnvironmentHandle environment;
-    FrameInput input;
 };
 
 TEST_F(AllFeaturesGl, GoTogether) {

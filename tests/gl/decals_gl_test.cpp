@@ -1,8 +1,6 @@
 // Decals: what they change, where, and what they leave alone.
 
-#include "renderer/renderer.h"
-#include "tests/support/shapes.h"
-#include "tests/support/test_context.h"
+#include "tests/support/lit_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -14,34 +12,23 @@ namespace {
 constexpr uint32_t kSide = 128;
 
 /// A white floor of 20 metres seen straight from above, 10 metres of it across; lit evenly.
-class DecalsGl : public testing::Test {
+class DecalsGl : public LitFrame {
 protected:
+    DecalsGl() : LitFrame(kSide, kSide) {}
+
     void SetUp() override {
-        ASSERT_TRUE(context.valid()) << "no EGL surfaceless context";
-        RendererDesc desc;
-        desc.cacheDirectory = cache.path();
-        desc.loadGl = TestContext::load;
-        desc.debugOutput = true;
-        desc.validateCommands = true;
-        renderer = std::move(Renderer::create(desc).value());
-        MaterialDesc white;
-        white.metallic = 0;
-        floor.mesh = *renderer->createMesh(makeCube().desc("floor"));
-        floor.material = *renderer->createMaterial(white);
-        floor.worldFromLocal[0] *= 20.0f;
-        floor.worldFromLocal[2] *= 20.0f;
-        floor.worldFromLocal[3].y = -1;
-        input.instances = {&floor, 1};
-        input.view.viewFromWorld = glm::lookAt(vec3(0, 8, 0), vec3(0), vec3(0, 0, -1));
-        input.view.perspective = false;
-        input.view.orthoHalfHeight = 5;
-        input.view.farPlane = 20;
+        LitFrame::SetUp();
+        paintFloor({});
+        lookDown(5, 8);
         input.lighting.ambientSky = input.lighting.ambientGround = vec3(1);
-        input.settings.bloom = false;
         paint.material = *renderer->createDecalMaterial({.label = "paint"});
         lieFlat(paint, {0, 0}, 1);
     }
-    void TearDown() override { EXPECT_TRUE(!renderer || renderer->takeDebugMessages().empty()); }
+    void paintFloor(MaterialDesc material) {
+        material.metallic = 0;
+        instances.clear();
+        addBox({0, -1, 0}, {20, 1, 20}, *renderer->createMaterial(material));
+    }
 
     /// Thrown downwards on the floor: the decal's z is up, its picture's up is -z.
     static void lieFlat(Decal& decal, const vec2& at, float halfSide) {
@@ -52,25 +39,15 @@ protected:
     }
     CapturedImage render(std::span<const Decal> decals) {
         input.decals = decals;
-        CapturedImage image;
-        const auto ticket = renderer->renderOffscreen(input, kSide, kSide, CaptureKind::hdr);
-        EXPECT_TRUE(ticket) << ticket.error().text();
-        EXPECT_TRUE(ticket && renderer->takeCapture(*ticket, true, image));
-        return image;
+        return LitFrame::render();
     }
     /// At a place of the floor, in metres.
     static vec3 at(const CapturedImage& image, float x, float z) {
         const uint32_t column = uint32_t((x + 5) * kSide / 10), row = uint32_t((z + 5) * kSide / 10);
-        const float* p = &image.rgba32f[(size_t(row) * kSide + column) * 4];
-        return {p[0], p[1], p[2]};
+        return pixelOf(image, column, row);
     }
 
-    TestContext context;
-    TemporaryDirectory cache;
-    std::unique_ptr<Renderer> renderer;
-    Instance floor;
     Decal paint;
-    FrameInput input;
 };
 
 TEST_F(DecalsGl, ColourLiesWithinTheBoxAlone) {
@@ -149,10 +126,9 @@ TEST_F(DecalsGl, NormalsAndRoughnessAreReplacedByTheirShares) {
 
 TEST_F(DecalsGl, BlendedSurfacesCarryThemToo) {
     MaterialDesc glass;
-    glass.metallic = 0;
     glass.baseColor = {1, 1, 1, 0.999f};
     glass.alphaMode = AlphaMode::blend;
-    floor.material = *renderer->createMaterial(glass);
+    paintFloor(glass);
     paint.baseColor = {1, 0.04f, 0.04f, 1};
     const CapturedImage image = render({&paint, 1});
     EXPECT_LT(at(image, 0, 0).y, 0.4f * at(image, 3, 0).y);

@@ -1,8 +1,6 @@
 // Fog against closed forms and numeric integrals of light scattered once.
 
-#include "renderer/renderer.h"
-#include "tests/support/shapes.h"
-#include "tests/support/test_context.h"
+#include "tests/support/lit_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -19,65 +17,19 @@ float phase(float g, float cosine) {
     return (1 - g * g) / (4 * kPi * std::pow(1 + g * g - 2 * g * cosine, 1.5f));
 }
 
-class FogGl : public testing::Test {
+class FogGl : public LitFrame {
 protected:
+    FogGl() : LitFrame(kWidth, kHeight) {}
+
     void SetUp() override {
-        ASSERT_TRUE(context.valid()) << "no EGL surfaceless context";
-        RendererDesc desc;
-        desc.cacheDirectory = cache.path();
-        desc.loadGl = TestContext::load;
-        desc.debugOutput = true;
-        desc.validateCommands = true;
-        renderer = std::move(Renderer::create(desc).value());
+        LitFrame::SetUp();
         input.view.viewFromWorld = mat4(1);  // at the origin, along -z
-        input.settings.bloom = false;
-        input.settings.smallObjectPixels = 0;
         fog().density = 0.05f;
         fog().albedo = vec3(0.8f);
         fog().anisotropy = 0;
         fog().litDistance = 80;
     }
-    void TearDown() override {
-        EXPECT_TRUE(!renderer || renderer->takeDebugMessages().empty());
-    }
     Fog& fog() { return input.lighting.fog; }
-
-    /// A cube of which one half side is 1, scaled and moved.
-    void addBox(const vec3& center, const vec3& halfSize, MaterialHandle material,
-                bool castsShadow = true) {
-        Instance instance;
-        instance.mesh = *renderer->createMesh(makeCube().desc("box"));
-        instance.material = material;
-        for (int c = 0; c < 3; ++c) instance.worldFromLocal[c] *= halfSize[c];
-        instance.worldFromLocal[3] = center;
-        instance.flags = castsShadow ? uint32_t(kInstanceCastsShadow) : 0;
-        instances.push_back(instance);
-        input.instances = instances;
-    }
-    MaterialHandle glowing(const vec3& radiance) {
-        MaterialDesc desc;
-        desc.baseColor = vec4(radiance, 1);
-        desc.unlit = true;
-        return *renderer->createMaterial(desc);
-    }
-    CapturedImage render() {
-        CapturedImage image;
-        const auto ticket = renderer->renderOffscreen(input, kWidth, kHeight, CaptureKind::hdr);
-        EXPECT_TRUE(ticket) << ticket.error().text();
-        EXPECT_TRUE(ticket && renderer->takeCapture(*ticket, true, image));
-        return image;
-    }
-    static vec3 pixel(const CapturedImage& image, uint32_t x, uint32_t y) {
-        const float* p = &image.rgba32f[(size_t(y) * kWidth + x) * 4];
-        return {p[0], p[1], p[2]};
-    }
-    vec3 centre() { return pixel(render(), kWidth / 2, kHeight / 2); }
-
-    TestContext context;
-    TemporaryDirectory cache;
-    std::unique_ptr<Renderer> renderer;
-    std::vector<Instance> instances;
-    FrameInput input;
 };
 
 TEST_F(FogGl, AmbientFogFadesASurfaceByBeersLaw) {
@@ -110,7 +62,7 @@ TEST_F(FogGl, HeightFogHasTheClosedFormAlongEveryRay) {
             depth += 0.2 * std::exp(-0.4 * (up * z + 1)) * 0.01 * std::sqrt(1 + up * up);
         }
         const float want = 1 - float(std::exp(-depth));
-        EXPECT_NEAR(pixel(image, kWidth / 2, y).x, want, 0.015f * want) << y;
+        EXPECT_NEAR(pixelOf(image, kWidth / 2, y).x, want, 0.015f * want) << y;
     }
 }
 
@@ -121,7 +73,7 @@ TEST_F(FogGl, SunScattersByThePhaseFunctionAndIsShadowed) {
     sun.illuminance = vec3(5);
     input.lighting.directional = {&sun, 1};
     fog().anisotropy = 0.6f;
-    addBox({0, 0, -41}, {30, 30, 1}, glowing(vec3(0)), false);
+    addBox({0, 0, -41}, {30, 30, 1}, glowing(vec3(0))).flags = 0;
     const float through = std::exp(-fog().density * 40);
     // Light goes on towards the eye, +z, from where it came.
     const float want = 5 * phase(0.6f, glm::dot(-towards, vec3(0, 0, 1))) * 0.8f * (1 - through);
@@ -174,8 +126,7 @@ TEST_F(FogGl, BlendedSurfacesAndEmissionLieInTheFogToo) {
 TEST_F(FogGl, WithoutDensityThereIsNoPass) {
     fog().density = 0;
     render();
-    for (const PassReport& pass : renderer->report().passes)
-        EXPECT_FALSE(std::string_view(pass.name).starts_with("fog")) << pass.name;
+    EXPECT_FALSE(hasPass("fog"));
 }
 
 TEST_F(FogGl, BadValuesAreErrors) {

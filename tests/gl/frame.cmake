@@ -8,6 +8,7 @@ add_executable(frame_gl_test
   fog_gl_test.cpp
   interop_gl_test.cpp
   ../support/allocation_counter.cpp
+  ../support/lit_frame.cpp
   ../support/random_scene.cpp
   ../support/test_context.cpp)
 target_include_directories(frame_gl_test PRIVATE ${PROJECT_SOURCE_DIR}/shaders)

@@ -1,6 +1,7 @@
 find_library(EGL_LIBRARY EGL REQUIRED)
 
-add_executable(irradiance_gl_test irradiance_gl_test.cpp ../support/test_context.cpp)
+add_executable(irradiance_gl_test irradiance_gl_test.cpp ../support/lit_frame.cpp
+  ../support/test_context.cpp)
 target_link_libraries(irradiance_gl_test PRIVATE
   rushlight_renderer ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
 gtest_discover_tests(irradiance_gl_test)

@@ -1,9 +1,7 @@
 // Surfaces in the light of irradiance probes: what the GPU shows is what the CPU looks up.
 
-#include "renderer/renderer.h"
+#include "tests/support/lit_frame.h"
 #include "tests/support/random.h"
-#include "tests/support/shapes.h"
-#include "tests/support/test_context.h"
 
 #include <gtest/gtest.h>
 
@@ -15,40 +13,26 @@ namespace {
 
 constexpr uint32_t kWidth = 121, kHeight = 75;  // odd: the half-size image has an odd edge
 
-class IrradianceGl : public testing::Test {
+class IrradianceGl : public LitFrame {
 protected:
+    IrradianceGl() : LitFrame(kWidth, kHeight) {}
+
     void SetUp() override {
-        ASSERT_TRUE(context.valid()) << "no EGL surfaceless context";
-        RendererDesc desc;
-        desc.loadGl = TestContext::load;
-        desc.debugOutput = true;
-        desc.validateCommands = true;
-        renderer = std::move(Renderer::create(desc).value());
-        box = *renderer->createMesh(makeCube().desc("box"));
-        floor.mesh = ball.mesh = box;
-        floor.worldFromLocal[0].x = floor.worldFromLocal[2].z = 4;
-        floor.worldFromLocal[1].y = 0.1f;
-        ball.worldFromLocal[3] = {0.5f, 1, 0};
+        LitFrame::SetUp();
         input.view.viewFromWorld = glm::lookAt(eye, vec3(0, 0.4f, 0), vec3(0, 1, 0));
         paint(AlphaMode::opaque);
     }
-    void TearDown() override { EXPECT_TRUE(!renderer || renderer->takeDebugMessages().empty()); }
-
+    /// A floor and a box over it.
     void paint(AlphaMode mode) {
         MaterialDesc desc;
         desc.metallic = 0;
         desc.alphaMode = mode;
-        floor.material = ball.material = *renderer->createMaterial(desc);
-        instances = {floor, ball};
-        input.instances = instances;
+        const MaterialHandle material = *renderer->createMaterial(desc);
+        instances.clear();
+        addBox(vec3(0), {4, 0.1f, 4}, material);
+        addBox({0.5f, 1, 0}, vec3(1), material);
     }
-    std::vector<float> picture() {
-        const auto ticket = renderer->renderOffscreen(input, kWidth, kHeight, CaptureKind::hdr);
-        EXPECT_TRUE(ticket) << ticket.error().text();
-        CapturedImage image;
-        EXPECT_TRUE(ticket && renderer->takeCapture(*ticket, true, image));
-        return image.rgba32f;
-    }
+    std::vector<float> picture() { return render().rgba32f; }
     std::vector<float> pictureWith(const IrradianceVolume& volume) {
         input.lighting.irradianceVolume = *renderer->createIrradianceVolume(volume);
         const std::vector<float> result = picture();
@@ -87,13 +71,7 @@ protected:
         return nearest < 1e8f;
     }
 
-    TestContext context;
-    std::unique_ptr<Renderer> renderer;
-    MeshHandle box;
-    Instance floor, ball;
-    std::vector<Instance> instances;
     vec3 eye{2, 3, 5};
-    FrameInput input;
 };
 
 /// Every probe holds the same, from all directions, and sees everything.

@@ -1,5 +1,6 @@
 add_executable(lights_gl_test
   lights_gl_test.cpp
+  ../support/lit_frame.cpp
   ../support/test_context.cpp)
 target_include_directories(lights_gl_test PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
 target_link_libraries(lights_gl_test PRIVATE

@@ -2,9 +2,7 @@
 #include "engine/core/jobs.h"
 #include "interop/brdf.h"
 #include "renderer/frame/brdf_table.h"
-#include "renderer/renderer.h"
-#include "tests/support/shapes.h"
-#include "tests/support/test_context.h"
+#include "tests/support/lit_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -17,15 +15,12 @@ namespace {
 constexpr uint32_t kSide = 96;
 constexpr float kHalf = 2;  // metres that the picture shows to each side of the origin
 
-class LightsGl : public testing::Test {
+class LightsGl : public LitFrame {
 protected:
+    LightsGl() : LitFrame(kSide, kSide) {}
+
     void SetUp() override {
-        ASSERT_TRUE(context_.valid()) << "no EGL surfaceless context";
-        RendererDesc desc;
-        desc.cacheDirectory = cache_.path();
-        desc.loadGl = TestContext::load;
-        desc.debugOutput = true;
-        renderer_ = std::move(Renderer::create(desc).value());
+        LitFrame::SetUp();
         const std::vector<vec3> corners{{-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}};
         const std::vector<vec3> normals(4, vec3(0, 1, 0));
         const std::vector<uint32_t> indices{0, 1, 2, 0, 2, 3};
@@ -34,32 +29,20 @@ protected:
         plane.positions = corners;
         plane.normals = normals;
         plane.indices = indices;
-        plane_ = renderer_->createMesh(plane).value();
-        input_.view.viewFromWorld = glm::lookAt(vec3(0, 5, 0), vec3(0), vec3(0, 0, -1));
-        input_.view.perspective = false;
-        input_.view.orthoHalfHeight = kHalf;
-        input_.view.farPlane = 20;
-        input_.settings.bloom = false;
-        input_.settings.dither = false;
-        input_.settings.toneMap = ToneMap::none;
-        input_.settings.antiAliasing = AntiAliasing::off;
-    }
-    void TearDown() override {
-        if (renderer_)
-            for (const std::string& message : renderer_->takeDebugMessages())
-                ADD_FAILURE() << "GL debug message: " << message;
+        plane_ = renderer->createMesh(plane).value();
+        lookDown(kHalf, 5);
+        input.settings.dither = false;
+        input.settings.toneMap = ToneMap::none;
+        input.settings.antiAliasing = AntiAliasing::off;
     }
     CapturedImage render(const MaterialDesc& material, CaptureKind kind = CaptureKind::hdr) {
-        const MaterialHandle handle = renderer_->createMaterial(material).value();
+        const MaterialHandle handle = renderer->createMaterial(material).value();
         Instance instance;
         instance.mesh = plane_;
         instance.material = handle;
-        input_.instances = {&instance, 1};
-        CapturedImage image;
-        const auto ticket = renderer_->renderOffscreen(input_, kSide, kSide, kind);
-        EXPECT_TRUE(ticket) << ticket.error().text();
-        EXPECT_TRUE(ticket && renderer_->takeCapture(*ticket, true, image));
-        renderer_->destroy(handle);
+        instances = {instance};
+        const CapturedImage image = LitFrame::render(kind);
+        renderer->destroy(handle);
         return image;
     }
     /// The irradiance that each pixel's radiance means: the diffuse light alone, as white less black.
@@ -101,18 +84,14 @@ protected:
         EXPECT_GT(compared, 500u);
     }
 
-    TestContext context_;
-    TemporaryDirectory cache_;
-    std::unique_ptr<Renderer> renderer_;
     MeshHandle plane_;
-    FrameInput input_;
 };
 
 TEST_F(LightsGl, APointLightFallsOffByTheInverseSquareAndTheCosine) {
     PunctualLight light;
     light.position = {0.4f, 1.1f, -0.3f};
     light.intensity = vec3(5);
-    input_.lighting.punctual = {&light, 1};
+    input.lighting.punctual = {&light, 1};
     expectIrradiance(
         [&](vec3 p) {
             const vec3 to = light.position - p;
@@ -129,7 +108,7 @@ TEST_F(LightsGl, ASpotFallsOffBetweenItsCones) {
     light.direction = glm::normalize(vec3(0.2f, -1, 0.1f));
     light.innerConeAngle = 0.4f;
     light.outerConeAngle = 0.7f;
-    input_.lighting.punctual = {&light, 1};
+    input.lighting.punctual = {&light, 1};
     // KHR_lights_punctual: the square of the clamped linear step between the cones' cosines.
     expectIrradiance(
         [&](vec3 p) {
@@ -149,7 +128,7 @@ TEST_F(LightsGl, ASphereLightsByItsSolidAngle) {
     light.position = {0.2f, 1.2f, 0.1f};
     light.radius = 0.4f;
     light.luminance = vec3(3);
-    input_.lighting.area = {&light, 1};
+    input.lighting.area = {&light, 1};
     expectIrradiance(
         [&](vec3 p) {
             const vec3 to = light.position - p;
@@ -166,7 +145,7 @@ TEST_F(LightsGl, ARectangleLightsByWhatIsAboveTheHorizon) {
     light.halfX = {1, 0, 0};
     light.halfY = {0, 1, 0};  // the front looks along +z
     light.luminance = vec3(3);
-    input_.lighting.area = {&light, 1};
+    input.lighting.area = {&light, 1};
     expectIrradiance(
         [&](vec3 p) {
             if (p.z < -1) return 0.0f;
@@ -194,11 +173,11 @@ TEST_F(LightsGl, LightsOfAllClassesAddUp) {
     area.luminance = vec3(4);
     MaterialDesc material;
     material.roughness = 0.4f;
-    input_.lighting.punctual = {&point, 1};
+    input.lighting.punctual = {&point, 1};
     const CapturedImage onlyPoint = render(material);
-    input_.lighting.area = {&area, 1};
+    input.lighting.area = {&area, 1};
     const CapturedImage both = render(material);
-    input_.lighting.punctual = {};
+    input.lighting.punctual = {};
     const CapturedImage onlyArea = render(material);
     float brightest = 0;
     for (size_t i = 0; i < both.rgba32f.size(); i += 4) {
@@ -211,8 +190,8 @@ TEST_F(LightsGl, LightsOfAllClassesAddUp) {
 
 TEST_F(LightsGl, EmissiveSurfacesGlowThroughBloom) {
     const auto beside = [&](bool bloom) {
-        input_.settings.bloom = bloom;
-        input_.view.viewFromWorld = glm::lookAt(vec3(-10, 5, 0), vec3(-10, 0, 0), vec3(0, 0, -1));
+        input.settings.bloom = bloom;
+        input.view.viewFromWorld = glm::lookAt(vec3(-10, 5, 0), vec3(-10, 0, 0), vec3(0, 0, -1));
         MaterialDesc material;
         material.emissive = vec3(20);
         const CapturedImage image = render(material, CaptureKind::display);

@@ -2,9 +2,8 @@
 
 #include "tests/support/shadow_truth.h"
 
-#include "engine/jobs/tbb_jobs.h"
-#include "renderer/context/context.h"
 #include "renderer/frame/view_math.h"
+#include "tests/support/offscreen_renderer.h"
 #include "tests/support/torture_scene.h"
 
 #include <gtest/gtest.h>
@@ -22,17 +21,11 @@ struct Change {
     double sum = 0;
 };
 
-class ShadowStabilityGl : public testing::Test {
+class ShadowStabilityGl : public OffscreenRenderer {
 protected:
     void SetUp() override {
-        auto made = createOffscreenContext(ContextChoice::automatic, {});
-        if (!made) GTEST_SKIP() << made.error().text();
-        context = std::move(*made);
-        jobs = createTbbJobs(0);
-        RendererDesc desc;
-        desc.loadGl = context->loader();
-        desc.jobs = jobs.get();
-        renderer = std::move(Renderer::create(desc).value());
+        OffscreenRenderer::SetUp();
+        if (IsSkipped()) return;
         rays = RayScene::create(*jobs).value();
         scene = std::make_unique<TortureScene>(*renderer, *rays);
         ASSERT_TRUE(rays->build(scene->instances));
@@ -114,9 +107,6 @@ protected:
         EXPECT_LT(jumps, 0.0005) << name;
     }
 
-    std::unique_ptr<Context> context;
-    std::unique_ptr<JobSystem> jobs;
-    std::unique_ptr<Renderer> renderer;
     std::unique_ptr<RayScene> rays;
     std::unique_ptr<TortureScene> scene;
 };

@@ -3,11 +3,10 @@
 #include "tests/support/shadow_truth.h"
 
 #include "engine/assets/gltf.h"
-#include "engine/jobs/tbb_jobs.h"
-#include "renderer/context/context.h"
 #include "renderer/frame/shadow_cascades.h"
 #include "renderer/scene_bridge/ray_bridge.h"
 #include "shaders/interop/frame_uniforms.h"
+#include "tests/support/offscreen_renderer.h"
 #include "tests/support/torture_scene.h"
 
 #include <gtest/gtest.h>
@@ -19,18 +18,8 @@
 namespace rushlight {
 namespace {
 
-class ShadowTruthGl : public testing::Test {
+class ShadowTruthGl : public OffscreenRenderer {
 protected:
-    void SetUp() override {
-        auto made = createOffscreenContext(ContextChoice::automatic, {});
-        if (!made) GTEST_SKIP() << made.error().text();
-        context = std::move(*made);
-        jobs = createTbbJobs(0);
-        RendererDesc desc;
-        desc.loadGl = context->loader();
-        desc.jobs = jobs.get();
-        renderer = std::move(Renderer::create(desc).value());
-    }
     void load(const std::string& path) {
         model = assets::loadModel(path).value();
         bridge = SceneBridge::create(*renderer, model).value();
@@ -112,9 +101,6 @@ protected:
         return truth.compare(input, {false, light});
     }
 
-    std::unique_ptr<Context> context;
-    std::unique_ptr<JobSystem> jobs;
-    std::unique_ptr<Renderer> renderer;
     assets::Model model;
     std::unique_ptr<SceneBridge> bridge;
     std::unique_ptr<RayScene> rays;
