@@ -9,7 +9,8 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
                                                      const FrameOutput& output) {
     const Lighting& lighting = input.lighting;
     clusters_.build(camera, output.target.width, output.target.height,
-                    {lighting.punctual, shadowLights_.records(), lighting.area}, jobs_);
+                    {lighting.punctual, shadowLights_.records(), lighting.area,
+                     shadowLights_.areaRecords()}, jobs_);
     const GpuEnvironment* environment = environments.find(lighting.environment);
 
     const GpuIrradianceVolume* volume = irradianceVolumes.find(lighting.irradianceVolume);
@@ -41,6 +42,7 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
         b.lightIndices = commands_.append(std::span<const uint16_t>(clusters_.indices));
     }
     b.features.punctualShadow = !shadowLights_.records().empty() && b.features.modulatedLights;
+    b.features.areaShadow = !shadowLights_.areaRecords().empty() && b.features.areaLights;
     b.features.shadowFilter = input.settings.shadowFilter;
     b.shadowSampler = shadowSampler_;
     b.cubeSampler = cubeSampler_;

@@ -1,4 +1,4 @@
-// The shadow views of a frame: the sun's cascades, and the faces of point and spot lights.
+// The shadow views of a frame: the sun's cascades, and the faces of point, spot and area lights.
 #include "renderer/frame/lighting_setup.h"
 #include "renderer/frame_renderer.h"
 
@@ -28,7 +28,10 @@ void FrameRenderer::planLightShadows(const FrameInput& input, const FrameOutput&
     ShadowLights::Inputs in;
     in.camera = &camera;
     in.targetHeight = output.target.height;
-    if (settings.shadows && settings.lightShadows) in.punctual = input.lighting.punctual;
+    if (settings.shadows && settings.lightShadows) {
+        in.punctual = input.lighting.punctual;
+        in.area = input.lighting.area;
+    }
     in.settings = &settings;
     shadowLightCounts_ = shadowLights_.select(in);
     ShadowSchedule::Inputs schedule;

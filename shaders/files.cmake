@@ -4,6 +4,7 @@ set(RUSHLIGHT_SHADER_FILES
   common/ambient_occlusion.glsl
   common/ambient_specular.glsl
   common/area_lights.glsl
+  common/area_shadow.glsl
   common/clustered_lights.glsl
   common/decals.glsl
   common/fog.glsl
@@ -18,6 +19,7 @@ set(RUSHLIGHT_SHADER_FILES
   common/local_light.glsl
   common/material.glsl
   common/punctual_shadow.glsl
+  common/shadow_faces.glsl
   common/shadow_filter.glsl
   common/occlusion_texel.glsl
   common/pyramid.glsl

@@ -41,6 +41,9 @@ struct AreaLight {
     bool twoSided = false; ///< a rectangle or disk that shines backwards too
     /// Metres from the middle beyond which it lights nothing, with the window of KHR_lights_punctual; 0: unbounded.
     float range = 0;
+    /// What hides its middle casts a shadow; with soft shadows, what hides a part of it takes that part away.
+    bool castsShadow = false;
+    float shadowNear = 0.02f;  ///< metres; what is nearer to its surface casts no shadow: what stands for it, its frame
 };
 
 enum class Background : uint8_t { color, environment, transparent };

@@ -41,11 +41,12 @@ void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) con
     if (plainLights) defines.push_back("PLAIN_LIGHTS");
     if (modulatedLights) defines.push_back("MODULATED_LIGHTS");
     if (punctualShadow) defines.push_back("PUNCTUAL_SHADOW");
-    if (shadowCascades > 0 || punctualShadow) {
+    if (shadowCascades > 0 || punctualShadow || areaShadow) {
         if (shadowFilter == ShadowFilter::hard) defines.push_back("SHADOW_HARD");
         if (shadowFilter == ShadowFilter::soft) defines.push_back("SHADOW_SOFT");
     }
     if (areaLights) defines.push_back("AREA_LIGHTS");
+    if (areaShadow) defines.push_back("AREA_SHADOW");
     if (environment) defines.push_back("ENVIRONMENT");
     else if (hemisphere) defines.push_back("HEMISPHERE");
     if (orthographic) defines.push_back("ORTHOGRAPHIC");
@@ -62,7 +63,7 @@ void LightingBindings::record(PassContext& context) const {
         commands.push(BindTexelBuffer{RL_TEXTURE_CLUSTERS, Format::r32ui, {}, clusters});
         commands.push(BindTexelBuffer{RL_TEXTURE_LIGHT_INDICES, Format::r16ui, {}, lightIndices});
     }
-    if (features.punctualShadow) {
+    if (features.punctualShadow || features.areaShadow) {
         commands.push(
             BindTexture{RL_TEXTURE_SHADOW_ATLAS, context.texture(shadowAtlas), shadowSampler});
         commands.push(BindTexelBuffer{RL_TEXTURE_SHADOW_FACES, Format::rgba32f, {}, shadowFaces});

@@ -25,6 +25,7 @@ struct LightingFeatures {
     bool irradianceVolume = false;  ///< the environment's irradiance, or the hemisphere, is not read then
 
     bool areaLights = false;       ///< LightClass::area
+    bool areaShadow = false;       ///< some of them have shadow records
     bool clusteredLights() const { return plainLights || modulatedLights || areaLights; }
     bool operator==(const LightingFeatures&) const = default;
     /// The #defines; the texts are static.
@@ -37,7 +38,7 @@ struct LightingBindings {
     BufferRange uniforms;  ///< interop::LightingUniforms
     BufferRange lights, clusters, lightIndices;
     ImageId shadowMap;  ///< null without shadows
-    ImageId shadowAtlas;       ///< of point and spot lights; null when none has a shadow
+    ImageId shadowAtlas;       ///< of all but the suns; null when none has a shadow
     BufferRange shadowFaces;   ///< GpuShadowFace
     SamplerHandle shadowSampler;
     TextureHandle environment;  ///< prefiltered cube

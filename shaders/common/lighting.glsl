@@ -4,14 +4,20 @@
 #include "interop/bindings.h"
 #include "interop/frame_uniforms.h"
 #include "common/lit_surface.glsl"
-#if defined(SUN_SHADOW) || defined(PUNCTUAL_SHADOW)
+#if defined(SUN_SHADOW) || defined(PUNCTUAL_SHADOW) || defined(AREA_SHADOW)
 #include "common/shadow_filter.glsl"
 #endif
 #if defined(SUN_SHADOW)
 #include "common/sun_shadow.glsl"
 #endif
+#if defined(PUNCTUAL_SHADOW) || defined(AREA_SHADOW)
+#include "common/shadow_faces.glsl"
+#endif
 #if defined(PUNCTUAL_SHADOW)
 #include "common/punctual_shadow.glsl"
+#endif
+#if defined(AREA_SHADOW)
+#include "common/area_shadow.glsl"
 #endif
 #if defined(CLUSTERED_LIGHTS)
 #include "common/clustered_lights.glsl"
