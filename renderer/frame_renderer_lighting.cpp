@@ -18,6 +18,8 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
     LightingBindings b;
     b.features.directionalLights = uint32_t(lighting.directional.size());
     b.features.shadowCascades = cascades_.count;
+    b.features.secondSuns = secondSuns_.count();
+    b.features.secondCascades = secondSuns_.cascadesOfEach();
     const auto& ofClass = clusters_.visibleOfClass;
     b.features.plainLights = ofClass[size_t(LightClass::plain)] > 0;
     b.features.modulatedLights = ofClass[size_t(LightClass::modulated)] > 0;

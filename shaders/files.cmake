@@ -19,6 +19,7 @@ set(RUSHLIGHT_SHADER_FILES
   common/local_light.glsl
   common/material.glsl
   common/punctual_shadow.glsl
+  common/second_suns.glsl
   common/shadow_faces.glsl
   common/shadow_filter.glsl
   common/occlusion_texel.glsl

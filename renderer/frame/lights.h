@@ -67,7 +67,7 @@ struct Fog {
 };
 
 struct Lighting {
-    std::span<const DirectionalLight> directional;  ///< at most kMaxDirectionalLights; the first that casts has shadows
+    std::span<const DirectionalLight> directional;  ///< at most kMaxDirectionalLights; the first that casts has the finest shadows
     std::span<const PunctualLight> punctual;        ///< at most kMaxPunctualLights
     std::span<const AreaLight> area;                ///< at most kMaxAreaLights
     EnvironmentHandle environment;                  ///< zero: the hemisphere ambient below

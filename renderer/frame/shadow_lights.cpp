@@ -286,7 +286,7 @@ void ShadowLights::fillFaces(const Inputs& in) {
         const Slot& slot = slots_[w.slot];
         ++counts_.lights;
         counts_.reduced += slot.level < slot.wish;
-        const int32_t first = int32_t(gpuFaces_.size());
+        const int32_t first = int32_t(in.firstFace + gpuFaces_.size());
         if (w.light < records_.size()) {
             records_[w.light] = 2 * first + (w.source.isCube() ? 1 : 0);
             anyRecord_ = true;

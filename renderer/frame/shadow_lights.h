@@ -38,6 +38,7 @@ public:
         std::span<const PunctualLight> punctual;
         const FrameSettings* settings = nullptr;
         std::span<const AreaLight> area;
+        uint32_t firstFace = 0;  ///< index of the first of gpuFaces() where shaders read them
     };
     struct Counts {
         uint32_t lights = 0;   ///< that reach into the view and have a shadow

@@ -15,6 +15,8 @@ namespace rushlight {
 struct LightingFeatures {
     uint32_t directionalLights = 0;
     uint32_t shadowCascades = 0;  ///< 0: the sun casts none
+    uint32_t secondSuns = 0;      ///< others that cast
+    uint32_t secondCascades = 0;  ///< of each of them
     bool plainLights = false;      ///< LightClass::plain, in the froxels' lists
     bool modulatedLights = false;  ///< LightClass::modulated
     bool punctualShadow = false;   ///< some of them have shadow records
@@ -39,7 +41,7 @@ struct LightingBindings {
     BufferRange lights, clusters, lightIndices;
     ImageId shadowMap;  ///< null without shadows
     ImageId shadowAtlas;       ///< of all but the suns; null when none has a shadow
-    BufferRange shadowFaces;   ///< GpuShadowFace
+    BufferRange shadowFaces;   ///< GpuSecondSun, then GpuShadowFace
     SamplerHandle shadowSampler;
     TextureHandle environment;  ///< prefiltered cube
     TextureHandle irradiance;   ///< cube

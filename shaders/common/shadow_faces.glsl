@@ -1,7 +1,10 @@
 // Shadow views of lights in the atlas. Layout: GpuShadowFace in renderer/frame/shadow_view.h.
 
-layout(binding = RL_TEXTURE_SHADOW_ATLAS) uniform sampler2DArray shadowAtlas;
 layout(binding = RL_TEXTURE_SHADOW_FACES) uniform samplerBuffer shadowFaces;
+
+#if defined(PUNCTUAL_SHADOW) || defined(AREA_SHADOW)
+
+layout(binding = RL_TEXTURE_SHADOW_ATLAS) uniform sampler2DArray shadowAtlas;
 
 // +x, -x, +y, -y, +z, -z
 int cubeFace(vec3 p) {
@@ -41,3 +44,5 @@ ShadowLookup lookUpFace(ShadowFace face, LitSurface s, vec3 p, float distance, f
 #endif
     return at;
 }
+
+#endif

@@ -84,6 +84,9 @@ vec3 lightAt(vec3 position, float viewDepth, vec3 view, Piece piece, vec2 pixel)
         s.facing = vec4(towards, 0.0);
         if (i == 0) light *= sunVisibility(s, towards);
 #endif
+#if defined(SHADOWED_SUNS)
+        if (i > 0 && i < SHADOWED_SUNS) light *= secondSunVisibility(i - 1, s, towards);
+#endif
         sum += light;
     }
 #if defined(CLUSTERED_LIGHTS)
