@@ -7,6 +7,7 @@ set(RUSHLIGHT_SHADER_FILES
   common/area_shadow.glsl
   common/clustered_lights.glsl
   common/decals.glsl
+  common/facing_depths.glsl
   common/fog.glsl
   common/fullscreen.glsl
   common/fullscreen.vert

@@ -16,7 +16,8 @@ constexpr uint32_t kSmallestLevel = 6;
 static_assert(1u << kSmallestLevel == ShadowLights::kSmallestTile);
 /// Lights that were seen so many frames ago keep their squares as if they were seen: the camera may turn back.
 constexpr uint64_t kRecentFrames = 1200;
-// The texels a side for which a texel on a surface at 60 % of the range is a pixel of the camera's.
+// The texels a side for which two texels on a surface at 60 % of the range are a pixel of the camera's: filters are four
+// wide, and what is nearer than that has larger pixels.
 float texelsOnScreen(const CameraMatrices& camera, uint32_t targetHeight,
                      const ShadowSource& light) {
     const float distance = light.range * 0.6f;
@@ -27,7 +28,7 @@ float texelsOnScreen(const CameraMatrices& camera, uint32_t targetHeight,
         const float fromCamera = glm::length(light.position - camera.position);
         pixelsPerMetre /= std::max({fromCamera - distance, distance, camera.nearPlane});
     }
-    return 2 * tangent * distance * pixelsPerMetre;
+    return 4 * tangent * distance * pixelsPerMetre;
 }
 
 }  // namespace

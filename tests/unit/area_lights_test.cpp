@@ -154,6 +154,7 @@ TEST(AreaLights, SpecularFormFactorsFollowTheSumOverTheSurface) {
                 sum += error;
                 worst = std::max(worst, error);
                 worstDielectric = std::max(worstDielectric, dielectric);
+                if (getenv("DUMP") && (error > 0.025 || dielectric > 0.025)) std::printf("%s r %g nv %g: lobe %.4f truth %.4f err %.4f diel %.4f (diffuse err %.4f)\n", c.name, double(roughness), double(nDotV), double(f.y), truth.specular, double(f.y)-truth.specular, dielectric, (double(f.x)-truth.diffuse)/reflected);
                 overThree += error > 0.03 || dielectric > 0.03;
                 ++count;
             }
