@@ -4,6 +4,7 @@ set(RUSHLIGHT_SHADER_FILES
   common/ambient_occlusion.glsl
   common/ambient_specular.glsl
   common/area_lights.glsl
+  common/area_scatter.glsl
   common/area_shadow.glsl
   common/clustered_lights.glsl
   common/decals.glsl

@@ -55,8 +55,8 @@ struct SunDisk {
     vec3 radiance{0};          ///< black: there is none
 };
 
-/// Air that scatters: exponential height fog, lit by the sun with its shadows, the clustered lights and the ambient light.
-/// It covers what lies behind it, the background included. Area lights do not light it.
+/// Air that scatters: exponential height fog, lit by the suns and the clustered lights with their shadows and by the ambient
+/// light. It covers what lies behind it, the background included.
 struct Fog {
     float density = 0;       ///< extinction per metre at `height`; 0: there is none
     float heightFalloff = 0;  ///< per metre: extinction is density * exp(-heightFalloff * (y - height)); 0: the same everywhere

@@ -36,6 +36,7 @@ using uint = glm::uint;
 
 using glm::abs;
 using glm::acos;
+using glm::atan;
 using glm::clamp;
 using glm::cos;
 using glm::cross;
