@@ -168,8 +168,8 @@ void FrameRenderer::fillLists() {
     add(lists_.opaque);
     add(lists_.blended);
     add(lists_.movingEmission);
-    for (uint32_t i = 0; i < cascades_.count; ++i)
-        if (shadows_.drawnCascades >> i & 1) add(lists_.casters[i]);
+    for (uint32_t i = 0; i < sunViewCount_; ++i)
+        if (shadows_.drawnViews >> i & 1) add(*sunViews_[i].casters);
     shadowSchedule_.forEachList(add);
     jobs_.forRanges(firstFillJobs_.back(), 1, [&](uint32_t begin, uint32_t end) {
         for (uint32_t job = begin; job < end; ++job) {

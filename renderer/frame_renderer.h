@@ -11,6 +11,7 @@
 #include "renderer/frame/irradiance_store.h"
 #include "renderer/frame/light_clusters.h"
 #include "renderer/frame/light_pattern_store.h"
+#include "renderer/frame/second_suns.h"
 #include "renderer/frame/shadow_schedule.h"
 #include "renderer/frame/visibility.h"
 #include "renderer/passes/bloom_pass.h"
@@ -80,6 +81,8 @@ private:
     void fillLists();
     void planShadows(const FrameInput&, const CameraMatrices&);
     void planLightShadows(const FrameInput&, const FrameOutput&, const CameraMatrices&);
+    Result<void> addSunShadowPass(const FrameInput&, LightingBindings&);
+    void bindShadowRecords(LightingBindings&);
     Result<void> addShadowPasses(const FrameInput&, LightingBindings&);
     Result<void> addLightShadowPass(LightingBindings&);
     Result<void> planPasses(const FrameInput&, const FrameOutput&, const CameraMatrices&);
@@ -149,6 +152,10 @@ private:
     Visibility::Lists lists_;
     Visibility::Counts counts_;
     ShadowCascades cascades_;
+    SecondSuns secondSuns_;
+    std::array<ShadowPass::View, ShadowPass::kMaxViews> sunViews_;
+    uint32_t sunViewCount_ = 0;
+    std::vector<GpuShadowFace> shadowRecords_;  ///< where there are second suns
     FogGrid fogGrid_;
     DecalClusters decalClusters_;
     LightClusters clusters_;

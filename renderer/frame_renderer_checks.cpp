@@ -21,7 +21,7 @@ Result<void> checkAreaLights(std::span<const AreaLight> lights) {
         const AreaLight& light = lights[i];
         const float x = glm::length(light.halfX), y = glm::length(light.halfY);
         if (!std::isfinite(glm::length(light.position) + x + y + light.radius + light.range +
-                           glm::length(light.luminance)))
+                           light.shadowNear + glm::length(light.luminance)))
             return wrong(i, "a part of it is not finite.");
         const bool flat = light.shape == AreaShape::rectangle || light.shape == AreaShape::disk;
         if (flat && !(glm::length(glm::cross(light.halfX, light.halfY)) > 1e-3f * x * y))
@@ -136,7 +136,7 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
     if (s.shadows && s.lightShadows &&
         (s.shadowAtlasSize < 256 || s.shadowAtlasSize > 16384 || s.shadowTileSize < 64 ||
          s.shadowTileSize > s.shadowAtlasSize))
-        return wrong("settings", "shadows of point and spot lights need an atlas of 256 to 16,384 texels "
+        return wrong("settings", "shadows of lights need an atlas of 256 to 16,384 texels "
                                  "and tiles of 64 texels to its size; " +
                                      std::to_string(s.shadowAtlasSize) + " and " +
                                      std::to_string(s.shadowTileSize) + " were asked for.");

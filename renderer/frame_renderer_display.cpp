@@ -51,7 +51,7 @@ Result<void> FrameRenderer::planDebugView(const FrameInput& input, const FinalTa
     in.gbuffer = gbuffer;
     in.ambientOcclusion = ambientOcclusion;
     in.shadowMap = lighting.shadowMap;
-    in.shadowCascades = cascades_.count;
+    in.shadowCascades = sunViewCount_;
     in.shadowAtlas = lighting.shadowAtlas;
     in.clusters = lighting.clusters;
     in.clusterWords = clusters_.recordWords;

@@ -10,7 +10,8 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
                                                      const FrameOutput& output) {
     const Lighting& lighting = input.lighting;
     clusters_.build(camera, output.target.width, output.target.height,
-                    {lighting.punctual, shadowLights_.records(), lighting.area, &lightPatterns},
+                    {lighting.punctual, shadowLights_.records(), lighting.area,
+                     shadowLights_.areaRecords(), &lightPatterns},
                     jobs_);
     const GpuEnvironment* environment = environments.find(lighting.environment);
 
@@ -19,6 +20,8 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
     LightingBindings b;
     b.features.directionalLights = uint32_t(lighting.directional.size());
     b.features.shadowCascades = cascades_.count;
+    b.features.secondSuns = secondSuns_.count();
+    b.features.secondCascades = secondSuns_.cascadesOfEach();
     const auto& ofClass = clusters_.visibleOfClass;
     b.features.plainLights = ofClass[size_t(LightClass::plain)] > 0;
     b.features.modulatedLights = ofClass[size_t(LightClass::modulated)] > 0;
@@ -51,6 +54,7 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
         b.lightPatterns = lightPatterns.texture();
         b.patternSampler = lightPatterns.sampler();
     }
+    b.features.areaShadow = !shadowLights_.areaRecords().empty() && b.features.areaLights;
     b.features.shadowFilter = input.settings.shadowFilter;
     b.shadowSampler = shadowSampler_;
     b.cubeSampler = cubeSampler_;

@@ -1,12 +1,15 @@
-// The shadow views of a frame: the sun's cascades, and the faces of point and spot lights.
+// The shadow views of a frame: the sun's cascades, and the faces of point, spot and area lights.
 #include "renderer/frame/lighting_setup.h"
 #include "renderer/frame_renderer.h"
+
+#include <cstring>
 
 namespace rushlight {
 
 void FrameRenderer::planShadows(const FrameInput& input, const CameraMatrices& camera) {
     sun_ = input.settings.shadows ? findSun(input.lighting) : -1;
     cascades_.count = 0;
+    secondSuns_.clear();
     if (sun_ < 0) return;
     const Aabb bounds = frameWorlds_.bounds();
     if (bounds.isEmpty()) return;
@@ -19,6 +22,15 @@ void FrameRenderer::planShadows(const FrameInput& input, const CameraMatrices& c
                                                                  : RL_SHADOW_RIM;
     desc.sceneBounds = bounds;
     cascades_ = makeShadowCascades(camera, desc);
+    SecondSuns::Inputs second;
+    second.camera = &camera;
+    second.directional = input.lighting.directional;
+    second.sun = sun_;
+    second.cascades = desc;
+    second.worlds = frameWorlds_;
+    second.geometry = &geometry;
+    second.settings = &input.settings;
+    secondSuns_.plan(second, jobs_);
 }
 
 void FrameRenderer::planLightShadows(const FrameInput& input, const FrameOutput& output,
@@ -28,8 +40,12 @@ void FrameRenderer::planLightShadows(const FrameInput& input, const FrameOutput&
     ShadowLights::Inputs in;
     in.camera = &camera;
     in.targetHeight = output.target.height;
-    if (settings.shadows && settings.lightShadows) in.punctual = input.lighting.punctual;
+    if (settings.shadows && settings.lightShadows) {
+        in.punctual = input.lighting.punctual;
+        in.area = input.lighting.area;
+    }
     in.settings = &settings;
+    in.firstFace = secondSuns_.count() * uint32_t(sizeof(GpuSecondSun) / sizeof(GpuShadowFace));
     shadowLightCounts_ = shadowLights_.select(in);
     ShadowSchedule::Inputs schedule;
     schedule.worlds = frameWorlds_;
@@ -42,24 +58,49 @@ void FrameRenderer::planLightShadows(const FrameInput& input, const FrameOutput&
         draw.viewUniforms = uniforms(makeViewUniforms(draw.face->view));
 }
 
+Result<void> FrameRenderer::addSunShadowPass(const FrameInput& input, LightingBindings& lighting) {
+    const auto add = [&](const ShadowCascade& cascade, DrawList& casters) {
+        sunViews_[sunViewCount_++] = {&cascade, &casters, uniforms(makeViewUniforms(cascade))};
+    };
+    for (uint32_t i = 0; i < cascades_.count; ++i) add(cascades_.cascades[i], lists_.casters[i]);
+    for (uint32_t i = 0; i < secondSuns_.viewCount(); ++i)
+        add(secondSuns_.cascade(i), secondSuns_.casters(i));
+    ShadowPass::Inputs in;
+    in.views = std::span(sunViews_).first(sunViewCount_);
+    in.resolution = cascades_.resolution;
+    in.binder = {&geometry, &materials};
+    in.world = input.world;
+    in.caching = input.settings.shadowCaching;
+    auto shadows = shadowPass_.add(plan_, in);
+    if (!shadows) return tl::unexpected(shadows.error());
+    shadows_ = *shadows;
+    lighting.shadowMap = shadows_.map;
+    return {};
+}
+
 Result<void> FrameRenderer::addShadowPasses(const FrameInput& input, LightingBindings& lighting) {
     shadows_ = {};
-    if (cascades_.count > 0) {
-        ShadowPass::Inputs in;
-        in.cascades = &cascades_;
-        for (uint32_t i = 0; i < cascades_.count; ++i) {
-            in.casters[i] = &lists_.casters[i];
-            in.viewUniforms[i] = uniforms(makeViewUniforms(cascades_.cascades[i]));
-        }
-        in.binder = {&geometry, &materials};
-        in.world = input.world;
-        in.caching = input.settings.shadowCaching;
-        auto shadows = shadowPass_.add(plan_, in);
-        if (!shadows) return tl::unexpected(shadows.error());
-        shadows_ = *shadows;
-        lighting.shadowMap = shadows_.map;
+    sunViewCount_ = 0;
+    if (cascades_.count > 0)
+        if (auto ok = addSunShadowPass(input, lighting); !ok) return ok;
+    if (!shadowLights_.faces().empty())
+        if (auto ok = addLightShadowPass(lighting); !ok) return ok;
+    bindShadowRecords(lighting);
+    return {};
+}
+
+// Of second suns, then of the other lights' faces.
+void FrameRenderer::bindShadowRecords(LightingBindings& lighting) {
+    const auto faces = shadowLights_.gpuFaces();
+    if (secondSuns_.count() == 0) {
+        if (!faces.empty()) lighting.shadowFaces = commands_.append(faces);
+        return;
     }
-    return shadowLights_.faces().empty() ? Result<void>() : addLightShadowPass(lighting);
+    const auto suns = secondSuns_.gpu();
+    shadowRecords_.resize(suns.size_bytes() / sizeof(GpuShadowFace));
+    std::memcpy(static_cast<void*>(shadowRecords_.data()), suns.data(), suns.size_bytes());
+    shadowRecords_.insert(shadowRecords_.end(), faces.begin(), faces.end());
+    lighting.shadowFaces = commands_.append(std::span<const GpuShadowFace>(shadowRecords_));
 }
 
 Result<void> FrameRenderer::addLightShadowPass(LightingBindings& lighting) {
@@ -70,7 +111,6 @@ Result<void> FrameRenderer::addLightShadowPass(LightingBindings& lighting) {
     auto atlas = shadowAtlasPass_.add(plan_, in);
     if (!atlas) return tl::unexpected(atlas.error());
     lighting.shadowAtlas = atlas->atlas;
-    lighting.shadowFaces = commands_.append(shadowLights_.gpuFaces());
     return {};
 }
 

@@ -4,9 +4,12 @@ set(RUSHLIGHT_SHADER_FILES
   common/ambient_occlusion.glsl
   common/ambient_specular.glsl
   common/area_lights.glsl
+  common/area_scatter.glsl
+  common/area_shadow.glsl
   common/clustered_lights.glsl
   common/contact_shadow.glsl
   common/decals.glsl
+  common/facing_depths.glsl
   common/fog.glsl
   common/fullscreen.glsl
   common/fullscreen.vert
@@ -20,6 +23,8 @@ set(RUSHLIGHT_SHADER_FILES
   common/local_light.glsl
   common/material.glsl
   common/punctual_shadow.glsl
+  common/second_suns.glsl
+  common/shadow_faces.glsl
   common/shadow_filter.glsl
   common/occlusion_texel.glsl
   common/pyramid.glsl

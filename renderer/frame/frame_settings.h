@@ -46,7 +46,7 @@ struct FrameSettings {
     uint32_t shadowResolution = 2048;
     float shadowDistance = 0;  ///< metres; 0: chosen from the scene and the far plane
     bool shadowCaching = true;  ///< a cascade whose view and casters are those of the last frame is not drawn again
-    bool lightShadows = false;  ///< of point and spot lights (PunctualLight::castsShadow)
+    bool lightShadows = false;  ///< of point, spot and area lights (castsShadow)
     uint32_t shadowAtlasSize = 4096;  ///< texels a side of the map that those lights share; 256 to 16,384, rounded down to 2^n
     uint32_t shadowTileSize = 1024;   ///< the most texels a side of a light's face; 64 to shadowAtlasSize, rounded down to 2^n
     ShadowFilter shadowFilter = ShadowFilter::pcf;

@@ -45,20 +45,6 @@ void addPatterns(const PunctualLight& light, const LightPatternStore& patterns,
     if (const auto* cookie = patterns.find(light.cookie)) modulation.cookie = float(cookie->layer + 1);
 }
 
-/// As shaders/common/area_lights.glsl reads it.
-GpuAreaLight toGpu(const AreaLight& light, const vec3& cameraPosition) {
-    GpuAreaLight gpu;
-    gpu.position = light.position - cameraPosition;
-    gpu.inverseRangeSq = light.range > 0 ? 1 / (light.range * light.range) : 0;
-    gpu.luminance = light.luminance;
-    gpu.shape = float(light.shape);
-    gpu.halfX = light.halfX;
-    gpu.radius = light.radius;
-    gpu.halfY = light.halfY;
-    gpu.twoSided = light.twoSided ? 1 : 0;
-    return gpu;
-}
-
 /// How far a light without bounds reaches with `candela`.
 float reachOf(float candela) { return std::sqrt(std::max(candela, 0.0f) / kNegligibleLux); }
 
@@ -66,18 +52,6 @@ float peak(const vec3& v) { return std::max({v.x, v.y, v.z, 0.0f}); }
 
 bool isFlat(const AreaLight& light) {
     return light.shape == AreaShape::rectangle || light.shape == AreaShape::disk;
-}
-
-/// The largest area that it shows to any side.
-float shownArea(const AreaLight& light) {
-    const float sides = glm::length(light.halfX) * glm::length(light.halfY);
-    switch (light.shape) {
-        case AreaShape::rectangle: return 4 * sides;
-        case AreaShape::disk: return kPi * sides;
-        case AreaShape::sphere: return kPi * light.radius * light.radius;
-        case AreaShape::tube: break;
-    }
-    return light.radius * (4 * glm::length(light.halfX) + kPi * light.radius);
 }
 
 /// Of the middle to the farthest point.
@@ -89,6 +63,22 @@ float extentOf(const AreaLight& light) {
         case AreaShape::tube: break;
     }
     return glm::length(light.halfX) + light.radius;
+}
+
+/// As shaders/common/area_lights.glsl reads it.
+GpuAreaLight toGpu(const AreaLight& light, const vec3& cameraPosition, int32_t shadowRecord) {
+    GpuAreaLight gpu;
+    gpu.position = light.position - cameraPosition;
+    gpu.inverseRangeSq = light.range > 0 ? 1 / (light.range * light.range) : 0;
+    gpu.luminance = light.luminance;
+    gpu.shape = float(light.shape);
+    gpu.halfX = light.halfX;
+    gpu.radius = light.radius;
+    gpu.halfY = light.halfY;
+    gpu.twoSided = light.twoSided ? 1 : 0;
+    gpu.shadowRecord = float(shadowRecord);
+    gpu.extent = extentOf(light);
+    return gpu;
 }
 
 // Of a spot, the least sphere around the piece of the ball that its cone holds (Wronski, "Cull that cone", 2017).
@@ -127,6 +117,17 @@ bool isVisible(const CameraMatrices& camera, const LightVolume& volume) {
 }
 
 }  // namespace
+
+float shownArea(const AreaLight& light) {
+    const float sides = glm::length(light.halfX) * glm::length(light.halfY);
+    switch (light.shape) {
+        case AreaShape::rectangle: return 4 * sides;
+        case AreaShape::disk: return kPi * sides;
+        case AreaShape::sphere: return kPi * light.radius * light.radius;
+        case AreaShape::tube: break;
+    }
+    return light.radius * (4 * glm::length(light.halfX) + kPi * light.radius);
+}
 
 float effectiveRange(const PunctualLight& light) {
     return light.range > 0 ? light.range : reachOf(peak(light.intensity));
@@ -238,7 +239,8 @@ void LightClusters::addLight(const CameraMatrices& camera, const ClusterInputs& 
     volumes_.items.push_back(light.volume);
     if (light.lightClass == LightClass::area) {
         const auto slots = std::bit_cast<std::array<GpuLight, 2>>(
-            toGpu(inputs.area[light.index], camera.position));
+            toGpu(inputs.area[light.index], camera.position,
+                  inputs.areaShadowRecords.empty() ? -1 : inputs.areaShadowRecords[light.index]));
         lights.insert(lights.end(), slots.begin(), slots.end());
         return;
     }

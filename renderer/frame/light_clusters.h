@@ -54,7 +54,9 @@ struct GpuAreaLight {
     float radius;
     vec3 halfY;
     float twoSided;  ///< 0 or 1
-    float unused[8] = {};
+    float shadowRecord = -1;  ///< whole; < 0: casts no shadow
+    float extent = 0;         ///< metres from the middle to the farthest point
+    float unused[6] = {};
 };
 static_assert(sizeof(GpuAreaLight) == 2 * sizeof(GpuLight));
 
@@ -64,6 +66,7 @@ struct ClusterInputs {
     /// Of each punctual light, the shadow record that shaders look up, or -1; empty: none has one.
     std::span<const int32_t> shadowRecords;
     std::span<const AreaLight> area;
+    std::span<const int32_t> areaShadowRecords;  ///< as shadowRecords
     const LightPatternStore* patterns = nullptr;  ///< null: no light has a profile or a cookie
 };
 
@@ -132,5 +135,7 @@ private:
 /// Metres beyond which a light without a range adds less than a thousandth of a lux.
 float effectiveRange(const PunctualLight& light);
 float effectiveRange(const AreaLight& light);
+/// The largest area that it shows to any side, square metres.
+float shownArea(const AreaLight& light);
 
 }  // namespace rushlight

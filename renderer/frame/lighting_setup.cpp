@@ -1,6 +1,7 @@
 #include "renderer/frame/lighting_setup.h"
 
 #include "interop/irradiance_volume.h"
+#include "renderer/frame/second_suns.h"
 
 #include <cmath>
 
@@ -54,23 +55,36 @@ void fillRays(const CameraMatrices& camera, interop::LightingUniforms& u) {
     u.viewDirection = vec4(camera.forward, 0);
 }
 
-void fillShadows(const CameraMatrices& camera, const ShadowCascades& cascades, float angularRadius,
-                 interop::LightingUniforms& u) {
+}  // namespace
+
+SunShadow makeSunShadow(const CameraMatrices& camera, const ShadowCascades& cascades,
+                        float angularRadius) {
+    SunShadow u;
     // Rows from camera-relative positions: the camera's own place goes into the constant.
     for (int i = 0; i < 3; ++i) {
         const vec4 row = cascades.rows[i];
-        u.shadowRows[i] = vec4(vec3(row), row.w + glm::dot(vec3(row), camera.position));
+        u.rows[i] = vec4(vec3(row), row.w + glm::dot(vec3(row), camera.position));
     }
     for (uint32_t i = 0; i < cascades.count; ++i) {
         const ShadowCascade& c = cascades.cascades[i];
-        u.shadowCascades[i] = {c.uvPerMetre, c.uvOffset.x, c.uvOffset.y, c.metresPerTexel};
+        u.cascades[i] = {c.uvPerMetre, c.uvOffset.x, c.uvOffset.y, c.metresPerTexel};
     }
     const float resolution = float(cascades.resolution);
     const bool fades = cascades.cascades[cascades.count - 1].followsCamera;
     const float depthPerMetre = glm::length(vec3(cascades.rows[2]));
-    u.shadowSettings = {depthPerMetre, resolution, 1 / resolution,
-                        fades ? 1 / float(RL_CASCADE_BAND) : 1e6f};
-    u.shadowSoftness = {std::tan(angularRadius) / depthPerMetre, 0, 0, 0};
+    u.settings = {depthPerMetre, resolution, 1 / resolution,
+                  fades ? 1 / float(RL_CASCADE_BAND) : 1e6f};
+    u.softness = {std::tan(angularRadius) / depthPerMetre, 0, 0, 0};
+    return u;
+}
+
+namespace {
+
+void fillShadows(const SunShadow& shadow, interop::LightingUniforms& u) {
+    for (int i = 0; i < 3; ++i) u.shadowRows[i] = shadow.rows[i];
+    for (int i = 0; i < 4; ++i) u.shadowCascades[i] = shadow.cascades[i];
+    u.shadowSettings = shadow.settings;
+    u.shadowSoftness = shadow.softness;
 }
 
 // What is around the probes: the environment, turned as it is, or the hemisphere.
@@ -116,14 +130,15 @@ interop::LightingUniforms makeLightingUniforms(const CameraMatrices& camera,
     fillRays(camera, u);
     u.clusterMapping = clusters.mapping();
     u.clusterCounts = clusters.counts();
-    if (cascades.count > 0) 
-        fillShadows(camera, cascades, lighting.directional[size_t(sun)].angularRadius, u);
+    if (cascades.count > 0)
+        fillShadows(makeSunShadow(camera, cascades,
+                                  lighting.directional[size_t(sun)].angularRadius),
+                    u);
 
     const size_t count = lighting.directional.size();
+    const auto order = sunOrder(lighting.directional, sun);
     for (size_t i = 0; i < count; ++i) {
-        // The sun first, the others in order.
-        const size_t from = sun <= 0 ? i : i == 0 ? size_t(sun) : i <= size_t(sun) ? i - 1 : i;
-        const DirectionalLight& light = lighting.directional[from];
+        const DirectionalLight& light = lighting.directional[order[i]];
         u.directionalDirections[i] = vec4(-glm::normalize(light.direction), 0);
         u.directionalIlluminances[i] = vec4(light.illuminance, 0);
     }

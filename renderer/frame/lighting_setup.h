@@ -13,7 +13,17 @@ interop::ViewUniforms makeViewUniforms(const CameraMatrices& camera);
 interop::ViewUniforms makeViewUniforms(const ShadowCascade& cascade);
 interop::ViewUniforms makeViewUniforms(const ShadowView& view);
 
-/// `sun` is the index of the light that casts shadows, which the shaders expect first; -1 for none.
+/// What the shaders need to know of a sun's cascades; the fields of LightingUniforms.
+struct SunShadow {
+    vec4 rows[3]{};
+    vec4 cascades[4]{};
+    vec4 settings{0};
+    vec4 softness{0};
+};
+SunShadow makeSunShadow(const CameraMatrices& camera, const ShadowCascades& cascades,
+                        float angularRadius);
+
+/// `sun` is the index of the first light that casts shadows, -1 for none; the lights are in the order of sunOrder().
 interop::LightingUniforms makeLightingUniforms(const CameraMatrices& camera,
                                                const Lighting& lighting, int sun,
                                                const LightClusters& clusters,

@@ -45,6 +45,9 @@ struct AreaLight {
     bool twoSided = false; ///< a rectangle or disk that shines backwards too
     /// Metres from the middle beyond which it lights nothing, with the window of KHR_lights_punctual; 0: unbounded.
     float range = 0;
+    /// What hides its middle casts a shadow; with soft shadows, what hides a part of it takes that part away.
+    bool castsShadow = false;
+    float shadowNear = 0.02f;  ///< metres; what is nearer to its surface casts no shadow: what stands for it, its frame
 };
 
 enum class Background : uint8_t { color, environment, transparent };
@@ -56,8 +59,8 @@ struct SunDisk {
     vec3 radiance{0};          ///< black: there is none
 };
 
-/// Air that scatters: exponential height fog, lit by the sun with its shadows, the clustered lights and the ambient light.
-/// It covers what lies behind it, the background included. Area lights do not light it.
+/// Air that scatters: exponential height fog, lit by the suns and the clustered lights with their shadows and by the ambient
+/// light. It covers what lies behind it, the background included.
 struct Fog {
     float density = 0;       ///< extinction per metre at `height`; 0: there is none
     float heightFalloff = 0;  ///< per metre: extinction is density * exp(-heightFalloff * (y - height)); 0: the same everywhere
@@ -68,7 +71,7 @@ struct Fog {
 };
 
 struct Lighting {
-    std::span<const DirectionalLight> directional;  ///< at most kMaxDirectionalLights; the first that casts has shadows
+    std::span<const DirectionalLight> directional;  ///< at most kMaxDirectionalLights; the first that casts has the finest shadows
     std::span<const PunctualLight> punctual;        ///< at most kMaxPunctualLights
     std::span<const AreaLight> area;                ///< at most kMaxAreaLights
     EnvironmentHandle environment;                  ///< zero: the hemisphere ambient below

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace rushlight {
 namespace {
@@ -14,6 +15,10 @@ constexpr float kLeastAlpha = 5e-4f;  // rows below interop::kMinRoughness serve
 constexpr float kLeastCosine = 0.01f;
 constexpr uint32_t kSamples = 576;
 constexpr double kPower = 1.5;
+/// Of the lobes' own difference beside that of whole lights, times alpha: without it lights that are narrower than the
+/// caps suffer.
+constexpr float kShapeWeight = 4;
+constexpr float kSharpAlpha = 0.01f;  // what is sharper is a point to whole lights
 
 /// GGX seen from one side: the view in the x-z plane.
 struct Lobe {
@@ -102,6 +107,79 @@ float errorOf(const Lobe& lobe, const Parameters& p) {
     return float(sum);
 }
 
+/// What whole lights get of a lobe: its integrals over soft-edged caps that cover the hemisphere, in two sizes.
+class CapLights {
+public:
+    CapLights() {
+        constexpr uint32_t kDirections = 128;  // over all; the lobes are symmetric in y
+        for (uint32_t i = 0; i < kDirections; ++i) {
+            const vec2 u = hammersley(i, kDirections);
+            const float z = u.x, ring = std::sqrt(1 - z * z), phi = kPi * u.y;
+            for (const float radius : {0.15f, 0.3f, 0.6f})
+                caps_.push_back({vec3(ring * std::cos(phi), ring * std::sin(phi), z), std::cos(radius)});
+        }
+    }
+    size_t count() const { return caps_.size(); }
+    /// Adds one direction's weight to each cap's sum; to both sides of the symmetry at once.
+    void add(const vec3& light, float weight, std::span<float> sums) const {
+        if (!(light.z > 0)) return;
+        const vec3 l(light.x, std::abs(light.y), light.z);
+        for (size_t i = 0; i < caps_.size(); ++i) {
+            const Cap& cap = caps_[i];
+            const float planar = l.x * cap.axis.x + l.z * cap.axis.z, across = l.y * cap.axis.y;
+            sums[i] += 0.5f * weight * (cover(planar + across - cap.cosine) + cover(planar - across - cap.cosine));
+        }
+    }
+
+private:
+    struct Cap {
+        vec3 axis;
+        float cosine;
+    };
+    static float cover(float inside) {
+        const float t = std::clamp(0.5f + inside * 8, 0.0f, 1.0f);
+        return t * t * (3 - 2 * t);
+    }
+    std::vector<Cap> caps_;
+};
+
+/// The differences of two lobes' integrals: the fourth power, as the worst light counts.
+class CapError {
+public:
+    explicit CapError(const Lobe& lobe) : truth_(lights().count()), fitted_(lights().count()) {
+        constexpr uint32_t kCount = 2048;
+        for (uint32_t i = 0; i < kCount; ++i) {
+            const vec3 light = lobe.sampleLight(hammersley(i, kCount));
+            float density;
+            const float weight = lobe.value(light, density);
+            if (weight > 0) lights().add(light, weight / density / (float(kCount) * lobe.albedo), truth_);
+        }
+    }
+    float of(const mat3& m) {
+        constexpr uint32_t kCount = 512;
+        std::ranges::fill(fitted_, 0.0f);
+        for (uint32_t i = 0; i < kCount; ++i) {
+            const vec2 u = hammersley(i, kCount);
+            const float ring = std::sqrt(u.x), phi = 2 * kPi * u.y;
+            lights().add(glm::normalize(m * vec3(ring * std::cos(phi), ring * std::sin(phi), std::sqrt(1 - u.x))),
+                         1 / float(kCount), fitted_);
+        }
+        double sum = 0;
+        for (size_t i = 0; i < truth_.size(); ++i) {
+            const double difference = double(truth_[i] - fitted_[i]);
+            sum += difference * difference * difference * difference;
+        }
+        return float(sum * 1e6);
+    }
+
+private:
+    static const CapLights& lights() {
+        static const CapLights made;
+        return made;
+    }
+    std::vector<float> truth_, fitted_;
+};
+
 // Nelder and Mead, "A Simplex Method for Function Minimization", 1965, over the first `dimensions` parameters.
 template <class Function>
 Parameters minimize(Parameters start, int dimensions, float spread, Function&& f) {
@@ -170,6 +248,10 @@ vec4 fitLtc(float nDotV, float roughness) {
     } else {
         p = minimize(p, 3, 0.3f, error);
         p = minimize(p, 4, 0.1f, error);
+        if (lobe.alpha > kSharpAlpha) {
+            CapError caps(lobe);
+            p = minimize(p, 4, 0.1f, [&](const Parameters& q) { return caps.of(matrixOf(lobe, q)) + kShapeWeight * lobe.alpha * error(q); });
+        }
     }
     return elementsOf(glm::inverse(matrixOf(lobe, p)));
 }

@@ -16,45 +16,19 @@ constexpr uint32_t kSmallestLevel = 6;
 static_assert(1u << kSmallestLevel == ShadowLights::kSmallestTile);
 /// Lights that were seen so many frames ago keep their squares as if they were seen: the camera may turn back.
 constexpr uint64_t kRecentFrames = 1200;
-/// A spot with a wider cone has a cube's faces: a single view would waste its texels at the rim.
-constexpr float kWidestSpot = 1.05f;
-
-bool isCube(const PunctualLight& light) {
-    return light.outerConeAngle < 0 || light.outerConeAngle > kWidestSpot;
-}
-
-float spotTangent(const PunctualLight& light) {
-    return std::tan(std::max(light.outerConeAngle, 0.02f));
-}
-
-// Of a light without a range it follows from the intensity, which may flicker: then in steps.
-float shadowRange(const PunctualLight& light) {
-    if (light.range > 0) return light.range;
-    const float range = effectiveRange(light);
-    return range > 0 ? std::exp2(std::ceil(std::log2(range))) : 0;
-}
-
-uint64_t identityOf(const PunctualLight& light, float range) {
-    const bool cube = isCube(light);
-    const float parts[] = {light.position.x, light.position.y, light.position.z, range,
-                           std::max(light.shadowNear, 1e-3f),
-                           cube ? 0.0f : light.direction.x, cube ? 0.0f : light.direction.y,
-                           cube ? 0.0f : light.direction.z, cube ? 0.0f : spotTangent(light)};
-    return hashBytes(parts, sizeof parts, 11) | 1;
-}
-
-// The texels a side for which a texel on a surface at 60 % of the range is a pixel of the camera's.
+// The texels a side for which two texels on a surface at 60 % of the range are a pixel of the camera's: filters are four
+// wide, and what is nearer than that has larger pixels.
 float texelsOnScreen(const CameraMatrices& camera, uint32_t targetHeight,
-                     const PunctualLight& light, float range) {
-    const float distance = range * 0.6f;
-    const float tangent = isCube(light) ? 1 : spotTangent(light);
+                     const ShadowSource& light) {
+    const float distance = light.range * 0.6f;
+    const float tangent = light.tanHalf;
     float pixelsPerMetre =
         float(targetHeight) / (2 * (camera.perspective ? camera.tanHalfY : camera.halfHeight));
     if (camera.perspective) {
         const float fromCamera = glm::length(light.position - camera.position);
         pixelsPerMetre /= std::max({fromCamera - distance, distance, camera.nearPlane});
     }
-    return 2 * tangent * distance * pixelsPerMetre;
+    return 4 * tangent * distance * pixelsPerMetre;
 }
 
 }  // namespace
@@ -75,25 +49,27 @@ void ShadowLights::begin(const FrameSettings& settings) {
 
 void ShadowLights::findWanted(const Inputs& in) {
     wanted_.clear();
-    for (uint32_t i = 0; i < in.punctual.size(); ++i) {
-        const PunctualLight& light = in.punctual[i];
-        if (!light.castsShadow) continue;
-        const float range = shadowRange(light);
-        if (!(range > light.shadowNear) ||
-            !intersects(in.camera->frustum, light.position, vec3(range)))
-            continue;
-        Wanted w{};
-        w.light = i;
-        w.range = range;
-        w.identity = identityOf(light, range);
-        w.faceCount = isCube(light) ? 6 : 1;
-        const float texels = texelsOnScreen(*in.camera, in.targetHeight, light, range);
-        w.wish = std::clamp(std::log2(std::max(texels, 1.0f)), float(kSmallestLevel),
-                            float(largestLevel_));
-        const float peak = std::max({light.intensity.x, light.intensity.y, light.intensity.z});
-        w.priority = texels * std::sqrt(std::max(peak, 0.0f)) / range;
-        wanted_.push_back(w);
-    }
+    for (uint32_t i = 0; i < in.punctual.size(); ++i)
+        if (in.punctual[i].castsShadow)
+            addIfWanted(in, i, in.punctual[i].shadowNear, makeShadowSource(in.punctual[i]));
+    for (uint32_t i = 0; i < in.area.size(); ++i)
+        if (in.area[i].castsShadow)
+            addIfWanted(in, uint32_t(in.punctual.size()) + i, 0, makeShadowSource(in.area[i]));
+}
+
+void ShadowLights::addIfWanted(const Inputs& in, uint32_t light, float nearest,
+                               const ShadowSource& source) {
+    if (!(source.range > nearest) ||
+        !intersects(in.camera->frustum, source.position, vec3(source.range)))
+        return;
+    Wanted w{};
+    w.light = light;
+    w.source = source;
+    const float texels = texelsOnScreen(*in.camera, in.targetHeight, source);
+    w.wish = std::clamp(std::log2(std::max(texels, 1.0f)), float(kSmallestLevel),
+                        float(largestLevel_));
+    w.priority = texels * std::sqrt(source.peak) / source.range;
+    wanted_.push_back(w);
 }
 
 void ShadowLights::matchSlots(size_t lightCount) {
@@ -117,18 +93,18 @@ void ShadowLights::matchSlots(size_t lightCount) {
         // What was at its index and is nowhere now has moved: it keeps its squares.
         uint32_t slot = slotOfLight_[w.light];
         if (slot == kNoSlot || slots_[slot].lastSeen == frame_ ||
-            slots_[slot].faceCount != w.faceCount)
+            slots_[slot].faceCount != w.source.faceCount)
             slot = freeSlot();
         if (slot == kNoSlot) continue;
-        slots_[slot].identity = w.identity;
-        slots_[slot].faceCount = w.faceCount;
+        slots_[slot].identity = w.source.identity;
+        slots_[slot].faceCount = w.source.faceCount;
         claim(w, slot);
     }
 }
 
 uint32_t ShadowLights::findSlot(const Wanted& w) {
     const auto is = [&](uint32_t s) {
-        return slots_[s].identity == w.identity && slots_[s].lastSeen != frame_;
+        return slots_[s].identity == w.source.identity && slots_[s].lastSeen != frame_;
     };
     if (const uint32_t s = slotOfLight_[w.light]; s != kNoSlot && is(s)) return s;
     for (uint32_t s = 0; s < slots_.size(); ++s)
@@ -272,35 +248,37 @@ void ShadowLights::placeTiles() {
 }
 
 void ShadowLights::fillFace(const Inputs& in, const Wanted& w, uint32_t index) {
-    const PunctualLight& light = in.punctual[w.light];
+    const ShadowSource& source = w.source;
     ShadowFace& face = slots_[w.slot].faces[index];
     ShadowFaceDesc desc;
-    desc.position = light.position;
-    desc.nearPlane = std::max(light.shadowNear, 1e-3f);
-    desc.range = w.range;
+    desc.position = source.position;
+    desc.nearPlane = source.nearPlane(index);
+    desc.range = source.range;
     desc.texels = face.tile.size;
-    if (w.faceCount == 6) {
-        cubeFaceBasis(index, desc.right, desc.up, desc.forward);
-    } else {
-        const float length = glm::length(light.direction);
-        desc.forward = length > 0 ? light.direction / length : vec3(0, -1, 0);
-        desc.tanHalf = spotTangent(light);
-        spotBasis(desc.forward, desc.right, desc.up);
-    }
+    desc.border = source.border;
+    desc.tanHalf = source.tanHalf;
+    source.face(index, desc.right, desc.up, desc.forward);
     face.view.scale.maxError = in.settings->shadowLodTexelError;
     face.view.scale.minSize = in.settings->smallObjectPixels;
     makeShadowView(desc, face.view);
+    // Behind a light of one side there is nothing that it could light.
+    if (source.faceCount == 5)
+        face.view.volume.add(
+            Plane{source.axes[2], -glm::dot(source.axes[2], source.position)});
     if (!in.settings->frustumCulling) face.view.volume = {};
-    const float limits[] = {face.view.scale.maxError, face.view.scale.minSize, w.range};
+    const float limits[] = {face.view.scale.maxError, face.view.scale.minSize, source.range};
     face.viewKey = hashBytes(limits, sizeof limits, hashBytes(&face.view.clipFromWorld, sizeof(mat4)));
-    gpuFaces_.push_back(makeGpuShadowFace(desc, face.tile.x, face.tile.y, tiles_.size(), light.radius));
+    gpuFaces_.push_back(
+        makeGpuShadowFace(desc, face.tile.x, face.tile.y, tiles_.size(), source.radius));
     faces_.push_back(&face);
 }
 
-// A record is twice the index of the first face; odd for a cube.
+// A record is twice the index of the first face; odd for a cube. An area light's is the index alone.
 void ShadowLights::fillFaces(const Inputs& in) {
     std::ranges::sort(wanted_, {}, &Wanted::light);
     records_.assign(in.punctual.size(), -1);
+    areaRecords_.assign(in.area.size(), -1);
+    anyRecord_ = anyAreaRecord_ = false;
     for (const Wanted& w : wanted_) {
         if (w.slot == kNoSlot || !slots_[w.slot].level) {
             ++counts_.without;
@@ -309,10 +287,16 @@ void ShadowLights::fillFaces(const Inputs& in) {
         const Slot& slot = slots_[w.slot];
         ++counts_.lights;
         counts_.reduced += slot.level < slot.wish;
-        records_[w.light] = int32_t(2 * gpuFaces_.size() + (w.faceCount == 6 ? 1 : 0));
+        const int32_t first = int32_t(in.firstFace + gpuFaces_.size());
+        if (w.light < records_.size()) {
+            records_[w.light] = 2 * first + (w.source.isCube() ? 1 : 0);
+            anyRecord_ = true;
+        } else {
+            areaRecords_[w.light - records_.size()] = first;
+            anyAreaRecord_ = true;
+        }
         for (uint32_t f = 0; f < slot.faceCount; ++f) fillFace(in, w, f);
     }
-    anyRecord_ = !gpuFaces_.empty();
 }
 
 ShadowLights::Counts ShadowLights::select(const Inputs& inputs) {
@@ -320,7 +304,7 @@ ShadowLights::Counts ShadowLights::select(const Inputs& inputs) {
     faces_.clear();
     gpuFaces_.clear();
     findWanted(inputs);
-    matchSlots(inputs.punctual.size());
+    matchSlots(inputs.punctual.size() + inputs.area.size());
     updateWishes();
     chooseBias();
     dropTooMany();

@@ -1,10 +1,11 @@
 #pragma once
-// Which point and spot lights of a frame have shadow maps, where in the atlas, and how large. A light keeps its squares
+// Which point, spot and area lights of a frame have shadow maps, where in the atlas, and how large. A light keeps its squares
 // from frame to frame: their views do not depend on the camera, and their size follows what the camera sees in steps of
 // two with a wide dead band, so that what they hold stays good while only the camera moves.
 
 #include "renderer/frame/frame_settings.h"
 #include "renderer/frame/lights.h"
+#include "renderer/frame/shadow_source.h"
 #include "renderer/frame/shadow_tiles.h"
 #include "renderer/frame/shadow_view.h"
 #include "renderer/frame/view_math.h"
@@ -36,6 +37,8 @@ public:
         uint32_t targetHeight = 0;
         std::span<const PunctualLight> punctual;
         const FrameSettings* settings = nullptr;
+        std::span<const AreaLight> area;
+        uint32_t firstFace = 0;  ///< index of the first of gpuFaces() where shaders read them
     };
     struct Counts {
         uint32_t lights = 0;   ///< that reach into the view and have a shadow
@@ -48,6 +51,8 @@ public:
     std::span<ShadowFace* const> faces() const { return faces_; }
     /// Of each punctual light: the record that shaders look up, or -1. Empty when no light has a shadow.
     std::span<const int32_t> records() const { return anyRecord_ ? std::span(records_) : std::span<const int32_t>(); }
+    /// Of each area light: the index of its first face, or -1. Empty when none has a shadow.
+    std::span<const int32_t> areaRecords() const { return anyAreaRecord_ ? std::span(areaRecords_) : std::span<const int32_t>(); }
     std::span<const GpuShadowFace> gpuFaces() const { return gpuFaces_; }
     uint32_t atlasSize() const { return tiles_.size(); }
     /// What the maps hold is not good any more.
@@ -57,7 +62,7 @@ private:
     /// A light that has, or lately had, squares of the atlas.
     struct Slot {
         uint64_t identity = 0;  ///< hash of where the light is and what it reaches; 0: the slot is free
-        uint32_t light = 0;     ///< index in the last frame that it was seen in
+        uint32_t light = 0;     ///< index in the last frame that it was seen in; area lights after the others
         uint64_t lastSeen = 0;  ///< frame
         uint32_t wish = 0;      ///< log2 of the texels a side that its size on screen asks for, changed reluctantly
         uint32_t level = 0;     ///< log2 of its tiles' size; 0: it has none
@@ -68,14 +73,13 @@ private:
     struct Wanted {
         uint32_t light;
         uint32_t slot;
-        uint64_t identity;
         float priority;
         float wish;
-        float range;
-        uint32_t faceCount;
+        ShadowSource source;
     };
     void begin(const FrameSettings&);
     void findWanted(const Inputs&);
+    void addIfWanted(const Inputs&, uint32_t light, float nearest, const ShadowSource&);
     void matchSlots(size_t lightCount);
     uint32_t findSlot(const Wanted&);
     uint32_t freeSlot();
@@ -96,9 +100,9 @@ private:
     std::vector<uint32_t> slotOfLight_;
     std::vector<Wanted> wanted_;
     std::vector<ShadowFace*> faces_;
-    std::vector<int32_t> records_;
+    std::vector<int32_t> records_, areaRecords_;
     std::vector<GpuShadowFace> gpuFaces_;
-    bool anyRecord_ = false;
+    bool anyRecord_ = false, anyAreaRecord_ = false;
     uint32_t largestLevel_ = 0;
     uint32_t bias_ = 0;  ///< quarters of a level below largestLevel_ that tiles keep to, so that all fit
     uint64_t frame_ = 0;

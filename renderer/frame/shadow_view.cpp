@@ -6,7 +6,7 @@
 namespace rushlight {
 
 // A thirty-second of the tile: a soft filter reaches this far, and loses 6 % of the resolution.
-uint32_t shadowBorder(uint32_t texels) { return std::max(texels / 32, 4u); }
+uint32_t shadowBorder(uint32_t texels, uint32_t share) { return std::max(texels / share, 4u); }
 
 void cubeFaceBasis(uint32_t face, vec3& right, vec3& up, vec3& forward) {
     const uint32_t axis = face / 2;
@@ -26,7 +26,7 @@ void spotBasis(const vec3& n, vec3& right, vec3& up) {
 }
 
 float tileTangent(const ShadowFaceDesc& d) {
-    return d.tanHalf * float(d.texels) / float(d.texels - 2 * shadowBorder(d.texels));
+    return d.tanHalf * float(d.texels) / float(d.texels - 2 * shadowBorder(d.texels, d.border));
 }
 
 void makeShadowView(const ShadowFaceDesc& d, ShadowView& view) {
@@ -71,7 +71,7 @@ GpuShadowFace makeGpuShadowFace(const ShadowFaceDesc& d, uint32_t tileX, uint32_
     face.centerU = (float(tileX) + half) * texelUv;
     face.centerV = (float(tileY) + half) * texelUv;
     face.nearPlane = d.nearPlane;
-    face.softLimit = float(shadowBorder(d.texels)) - 2;
+    face.softLimit = float(shadowBorder(d.texels, d.border)) - 2;
     face.texelTangent = tangent / half;
     face.radius = radius;
     return face;

@@ -38,10 +38,11 @@ struct ShadowFaceDesc {
     float nearPlane = 0.05f;
     float range = 0;
     uint32_t texels = 0;      ///< a side, with the border
+    uint32_t border = 32;     ///< a side over the border; see shadowBorder()
 };
 
-/// Texels on each side of a tile that only filters read: they see past the face's edge.
-uint32_t shadowBorder(uint32_t texels);
+/// Texels on each side of a tile that only filters read: they see past the face's edge. One `share`th of the side.
+uint32_t shadowBorder(uint32_t texels, uint32_t share = 32);
 
 /// The basis of a cube's face.
 void cubeFaceBasis(uint32_t face, vec3& right, vec3& up, vec3& forward);

@@ -12,6 +12,9 @@ constexpr std::string_view kDirectionalDefines[] = {
 constexpr std::string_view kCascadeDefines[] = {"", "SHADOW_CASCADES 1", "SHADOW_CASCADES 2",
                                                 "SHADOW_CASCADES 3", "SHADOW_CASCADES 4"};
 
+constexpr std::string_view kSunDefines[] = {"", "SHADOWED_SUNS 2", "SHADOWED_SUNS 3",
+                                            "SHADOWED_SUNS 4"};
+
 struct Payload {
     LitScreenBindings screen;
     PipelineHandle lightingPipeline, backgroundPipeline;
@@ -37,16 +40,21 @@ void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) con
         defines.push_back("SUN_SHADOW");
         defines.push_back(kCascadeDefines[shadowCascades]);
     }
+    if (secondSuns > 0) {
+        defines.push_back(kSunDefines[secondSuns]);
+        defines.push_back(secondCascades > 1 ? "SECOND_CASCADES 2" : "SECOND_CASCADES 1");
+    }
     if (clusteredLights()) defines.push_back("CLUSTERED_LIGHTS");
     if (plainLights) defines.push_back("PLAIN_LIGHTS");
     if (modulatedLights) defines.push_back("MODULATED_LIGHTS");
     if (punctualShadow) defines.push_back("PUNCTUAL_SHADOW");
     if (lightPatterns) defines.push_back("LIGHT_PATTERNS");
-    if (shadowCascades > 0 || punctualShadow) {
+    if (shadowCascades > 0 || punctualShadow || areaShadow) {
         if (shadowFilter == ShadowFilter::hard) defines.push_back("SHADOW_HARD");
         if (shadowFilter == ShadowFilter::soft) defines.push_back("SHADOW_SOFT");
     }
     if (areaLights) defines.push_back("AREA_LIGHTS");
+    if (areaShadow) defines.push_back("AREA_SHADOW");
     if (environment) defines.push_back("ENVIRONMENT");
     else if (hemisphere) defines.push_back("HEMISPHERE");
     if (orthographic) defines.push_back("ORTHOGRAPHIC");
@@ -63,11 +71,12 @@ void LightingBindings::record(PassContext& context) const {
         commands.push(BindTexelBuffer{RL_TEXTURE_CLUSTERS, Format::r32ui, {}, clusters});
         commands.push(BindTexelBuffer{RL_TEXTURE_LIGHT_INDICES, Format::r16ui, {}, lightIndices});
     }
-    if (features.punctualShadow) {
+    const bool atlas = features.punctualShadow || features.areaShadow;
+    if (atlas)
         commands.push(
             BindTexture{RL_TEXTURE_SHADOW_ATLAS, context.texture(shadowAtlas), shadowSampler});
+    if (atlas || features.secondSuns > 0)
         commands.push(BindTexelBuffer{RL_TEXTURE_SHADOW_FACES, Format::rgba32f, {}, shadowFaces});
-    }
     if (features.lightPatterns)
         commands.push(BindTexture{RL_TEXTURE_LIGHT_PATTERNS, lightPatterns, patternSampler});
     if (features.environment) {

@@ -15,6 +15,8 @@ namespace rushlight {
 struct LightingFeatures {
     uint32_t directionalLights = 0;
     uint32_t shadowCascades = 0;  ///< 0: the sun casts none
+    uint32_t secondSuns = 0;      ///< others that cast
+    uint32_t secondCascades = 0;  ///< of each of them
     bool plainLights = false;      ///< LightClass::plain, in the froxels' lists
     bool modulatedLights = false;  ///< LightClass::modulated
     bool punctualShadow = false;   ///< some of them have shadow records
@@ -26,6 +28,7 @@ struct LightingFeatures {
     bool irradianceVolume = false;  ///< the environment's irradiance, or the hemisphere, is not read then
 
     bool areaLights = false;       ///< LightClass::area
+    bool areaShadow = false;       ///< some of them have shadow records
     bool clusteredLights() const { return plainLights || modulatedLights || areaLights; }
     bool operator==(const LightingFeatures&) const = default;
     /// The #defines; the texts are static.
@@ -38,8 +41,8 @@ struct LightingBindings {
     BufferRange uniforms;  ///< interop::LightingUniforms
     BufferRange lights, clusters, lightIndices;
     ImageId shadowMap;  ///< null without shadows
-    ImageId shadowAtlas;       ///< of point and spot lights; null when none has a shadow
-    BufferRange shadowFaces;   ///< GpuShadowFace
+    ImageId shadowAtlas;       ///< of all but the suns; null when none has a shadow
+    BufferRange shadowFaces;   ///< GpuSecondSun, then GpuShadowFace
     SamplerHandle shadowSampler;
     TextureHandle environment;  ///< prefiltered cube
     TextureHandle irradiance;   ///< cube

@@ -95,7 +95,9 @@ Result<ReflectionsPass::Outputs> ReflectionsPass::add(FramePlan& plan, const Inp
     LightingBindings lighting = inputs.lighting;  // no light but the ambient one is needed
     lighting.features.shadowCascades = 0;
     lighting.features.plainLights = lighting.features.modulatedLights = false;
-    lighting.features.punctualShadow = false;
+    lighting.features.areaLights = false;
+    lighting.features.punctualShadow = lighting.features.areaShadow = false;
+    lighting.features.secondSuns = 0;
     const PassTargets::Color colors[] = {
         {out.radiance, inputs.alone ? LoadOp::clear : LoadOp::keep, vec4(0, 0, 0, 1)}};
     const ImageId reads[] = {g.target0, g.target1,        g.target2,

@@ -9,7 +9,9 @@
 namespace rushlight {
 namespace {
 
-constexpr const char* kPassNames[4] = {"shadow.0", "shadow.1", "shadow.2", "shadow.3"};
+constexpr const char* kPassNames[ShadowPass::kMaxViews] = {
+    "shadow.0", "shadow.1", "shadow.2", "shadow.3", "shadow.4",
+    "shadow.5", "shadow.6", "shadow.7", "shadow.8", "shadow.9"};
 
 struct Payload {
     const DrawList* casters;
@@ -58,28 +60,29 @@ Result<void> ShadowPass::reserve(uint32_t resolution, uint32_t layers) {
 }
 
 Result<ShadowPass::Outputs> ShadowPass::add(FramePlan& plan, const Inputs& inputs) {
-    const ShadowCascades& cascades = *inputs.cascades;
-    if (auto ok = reserve(cascades.resolution, cascades.count); !ok)
+    const uint32_t count = uint32_t(inputs.views.size());
+    if (auto ok = reserve(inputs.resolution, count); !ok)
         return tl::unexpected(ok.error());
     Outputs out;
     out.map = plan.importImage(
         {"shadow-map", Format::depth32f, resolution_, resolution_, layers_}, map_);
-    for (uint32_t i = 0; i < cascades.count; ++i) {
-        DrawList& casters = *inputs.casters[i];
+    for (uint32_t i = 0; i < count; ++i) {
+        const View& view = inputs.views[i];
+        DrawList& casters = *view.casters;
         const uint64_t hash = casters.contentHash() ^ mixBits(inputs.world.value) ^
-                              hashBytes(&cascades.cascades[i].clipFromWorld, sizeof(mat4), 7);
+                              hashBytes(&view.cascade->clipFromWorld, sizeof(mat4), 7);
         if (inputs.caching && hash == hashes_[i]) {
             ++out.cached;
             continue;
         }
         hashes_[i] = hash;
         ++out.drawn;
-        out.drawnCascades |= 1u << i;
+        out.drawnViews |= 1u << i;
         if (auto ok = pipelines_.assign(casters); !ok) return tl::unexpected(ok.error());
         PassTargets targets;
         targets.depth = {out.map, LoadOp::clear, i};
         plan.addPass<Payload>(kPassNames[i], targets,
-                              {&casters, inputs.viewUniforms[i], inputs.binder}, record);
+                              {&casters, view.uniforms, inputs.binder}, record);
     }
     return out;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Cascaded shadow maps of the sun: depth from the light, one layer a cascade. A cascade whose view and casters hash as
+// Cascaded shadow maps of the suns: depth from the light, one layer a cascade. A cascade whose view and casters hash as
 // they did when it was last drawn is kept as it is.
 
 #include "renderer/frame/frame_plan.h"
@@ -12,17 +12,23 @@ namespace rushlight {
 
 class ShadowPass {
 public:
+    static constexpr uint32_t kMaxViews = 10;  ///< four of the first sun, two of each of three others
+
+    struct View {
+        const ShadowCascade* cascade = nullptr;
+        DrawList* casters = nullptr;
+        BufferRange uniforms;
+    };
     struct Inputs {
-        const ShadowCascades* cascades = nullptr;
-        std::array<DrawList*, 4> casters{};
-        std::array<BufferRange, 4> viewUniforms{};
+        std::span<const View> views;  ///< at most kMaxViews; each has a layer of the map
+        uint32_t resolution = 0;
         DrawBinder binder;
         WorldHandle world;  ///< that the casters come from
         bool caching = true;
     };
     struct Outputs {
         ImageId map;  ///< D32F array, reversed: 1 nearest to the light
-        uint32_t drawnCascades = 0;  ///< as bits; the others' casters need no data
+        uint32_t drawnViews = 0;  ///< as bits; the others' casters need no data
         uint32_t drawn = 0;
         uint32_t cached = 0;
     };
@@ -40,7 +46,7 @@ private:
     SurfacePipelines pipelines_;
     TextureHandle map_;
     uint32_t resolution_ = 0, layers_ = 0;
-    std::array<uint64_t, 4> hashes_{};
+    std::array<uint64_t, kMaxViews> hashes_{};
 };
 
 }  // namespace rushlight

@@ -21,6 +21,23 @@ AreaFrame makeAreaFrame(LitSurface s) {
     return f;
 }
 
+#if defined(AREA_SHADOW)
+AreaSource areaSource(vec3 center, int shape, vec4 halfX, vec3 halfY, float extent) {
+    AreaSource source;
+    source.center = center;
+    source.extent = extent;
+    source.isRound = shape == RL_AREA_DISK || shape == RL_AREA_SPHERE;
+    source.x = halfX.xyz;
+    source.y = halfY;
+    if (shape == RL_AREA_SPHERE) source.x = perpendicularTo(normalize(center)) * halfX.w;
+    if (shape >= RL_AREA_SPHERE) {
+        vec3 across = cross(source.x, center);
+        source.y = across * (halfX.w * inversesqrt(max(dot(across, across), 1e-12)));
+    }
+    return source;
+}
+#endif
+
 vec3 areaLight(int texel, LitSurface s, AreaFrame f) {
     vec4 a = texelFetch(lightTexels, texel);      // position, 1 / range^2
     vec4 b = texelFetch(lightTexels, texel + 1);  // luminance, shape
@@ -41,6 +58,11 @@ vec3 areaLight(int texel, LitSurface s, AreaFrame f) {
     vec2 factors = outlineFormFactors(outline, f.tangent, f.bitangent, s.point.normal, f.ltc);
     float x = dot(center, center) * a.w;
     float within = clamp(1.0 - x * x, 0.0, 1.0) * facing;
+#if defined(AREA_SHADOW)
+    vec4 e = texelFetch(lightTexels, texel + 4);  // shadow record, extent
+    if (e.x >= 0.0 && within > 0.0)
+        within *= areaVisibility(int(e.x), s, areaSource(center, int(b.w + 0.5), c, d.xyz, e.y));
+#endif
     vec3 reflected =
         s.point.diffuseOverPi * (factors.x / kInversePi) + s.point.specularAlbedo * factors.y;
     return reflected * b.rgb * within;

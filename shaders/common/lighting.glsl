@@ -4,7 +4,7 @@
 #include "interop/bindings.h"
 #include "interop/frame_uniforms.h"
 #include "common/lit_surface.glsl"
-#if defined(SUN_SHADOW) || defined(PUNCTUAL_SHADOW)
+#if defined(SUN_SHADOW) || defined(PUNCTUAL_SHADOW) || defined(AREA_SHADOW)
 #include "common/shadow_filter.glsl"
 #endif
 #if defined(SUN_SHADOW)
@@ -13,13 +13,30 @@
 #if defined(CONTACT_SHADOWS)
 #include "common/contact_shadow.glsl"
 #endif
+#if defined(PUNCTUAL_SHADOW) || defined(AREA_SHADOW) || defined(SHADOWED_SUNS)
+#include "common/shadow_faces.glsl"
+#endif
+#if defined(SHADOWED_SUNS)
+#include "common/second_suns.glsl"
+#endif
 #if defined(PUNCTUAL_SHADOW)
 #include "common/punctual_shadow.glsl"
+#endif
+#if defined(AREA_SHADOW)
+#include "common/area_shadow.glsl"
 #endif
 #if defined(CLUSTERED_LIGHTS)
 #include "common/clustered_lights.glsl"
 #endif
 #include "common/ambient.glsl"
+
+vec3 otherSun(int sun, vec3 towards, vec3 illuminance, LitSurface s) {
+    vec3 light = evaluateBrdf(s.point, towards) * illuminance;
+#if defined(SHADOWED_SUNS)
+    if (sun < SHADOWED_SUNS) light *= secondSunVisibility(sun - 1, s, towards);
+#endif
+    return light;
+}
 
 vec3 directionalLight(LitSurface s) {
     vec3 sum = vec3(0.0);
@@ -37,13 +54,13 @@ vec3 directionalLight(LitSurface s) {
     }
 #endif
 #if DIRECTIONAL_LIGHTS > 1
-    sum += evaluateBrdf(s.point, L_DIRECTION(1).xyz) * L_ILLUMINANCE(1).rgb;
+    sum += otherSun(1, L_DIRECTION(1).xyz, L_ILLUMINANCE(1).rgb, s);
 #endif
 #if DIRECTIONAL_LIGHTS > 2
-    sum += evaluateBrdf(s.point, L_DIRECTION(2).xyz) * L_ILLUMINANCE(2).rgb;
+    sum += otherSun(2, L_DIRECTION(2).xyz, L_ILLUMINANCE(2).rgb, s);
 #endif
 #if DIRECTIONAL_LIGHTS > 3
-    sum += evaluateBrdf(s.point, L_DIRECTION(3).xyz) * L_ILLUMINANCE(3).rgb;
+    sum += otherSun(3, L_DIRECTION(3).xyz, L_ILLUMINANCE(3).rgb, s);
 #endif
     return sum;
 }

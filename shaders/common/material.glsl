@@ -46,20 +46,34 @@ vec3 textureCoordinate(Material material, int slot, uint layer) {
 }
 #endif
 
-vec4 materialBaseColor(Material material) {
+vec4 baseColorFactor(Material material) {
     vec4 color = vec4(unpackHalf2x16(material.texel0.x), unpackHalf2x16(material.texel0.y));
-#if defined(BASE_COLOR_TEXTURE)
-    color *= texture(baseColorTextures,
-                     textureCoordinate(material, RL_TEXTURE_BASE_COLOR, material.texel1.z));
-#endif
 #if defined(EXTENDED)
     color *= surfaceColor;
 #endif
     return color;
 }
 
+vec4 materialBaseColor(Material material) {
+    vec4 color = baseColorFactor(material);
+#if defined(BASE_COLOR_TEXTURE)
+    color *= texture(baseColorTextures,
+                     textureCoordinate(material, RL_TEXTURE_BASE_COLOR, material.texel1.z));
+#endif
+    return color;
+}
+
 #if defined(ALPHA_MASK)
-void cutAlpha(Material material, float alpha) {
+// Mips blur outlines, and what is cut from them thins out: leaves that are few pixels wide would vanish, and their shadows
+// fall from what is not seen.
+const float kMaskBias = -1.5;
+
+void cutAlpha(Material material) {
+    float alpha = baseColorFactor(material).a;
+#if defined(BASE_COLOR_TEXTURE)
+    alpha *= texture(baseColorTextures,
+                     textureCoordinate(material, RL_TEXTURE_BASE_COLOR, material.texel1.z), kMaskBias).a;
+#endif
     if (alpha < unpackHalf2x16(material.texel1.y).y) discard;
 }
 #endif
@@ -104,7 +118,7 @@ SurfaceSample sampleSurface() {
     SurfaceSample s;
     s.baseColor = materialBaseColor(material);
 #if defined(ALPHA_MASK)
-    cutAlpha(material, s.baseColor.a);
+    cutAlpha(material);
 #endif
     vec2 factors = unpackUnorm2x16(material.texel0.z);
     s.metallic = factors.x;

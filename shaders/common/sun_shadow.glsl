@@ -8,21 +8,28 @@ layout(binding = RL_TEXTURE_SHADOW) uniform sampler2DArray shadowMap;
 #define SHADOW_RIM float(RL_SHADOW_RIM)
 #endif
 
-float cascadeVisibility(LitSurface s, vec3 towardsLight, vec4 cascade, float layer) {
+/// Of all of a sun's cascades.
+struct SunMap {
+    vec4 rows[3];
+    vec4 settings;
+    float softness;
+};
+
+float cascadeVisibility(SunMap map, LitSurface s, vec3 towardsLight, vec4 cascade, float layer) {
     vec4 p = vec4(s.position, 1.0);
     float cosine = max(dot(s.facing.xyz, towardsLight), 1.0 / RL_STEEPEST_RECEIVER);
     // The surface's plane: a metre along x its depth falls by n.x / n.l metres, and so for y.
-    vec2 tangents = vec2(dot(L_SHADOW_ROW(0).xyz, s.facing.xyz), dot(L_SHADOW_ROW(1).xyz, s.facing.xyz)) / cosine;
-    float depthPerTexel = L_SHADOW_SETTINGS.x * cascade.w;
+    vec2 tangents = vec2(dot(map.rows[0].xyz, s.facing.xyz), dot(map.rows[1].xyz, s.facing.xyz)) / cosine;
+    float depthPerTexel = map.settings.x * cascade.w;
     ShadowLookup at;
-    at.uv = vec2(dot(L_SHADOW_ROW(0), p), dot(L_SHADOW_ROW(1), p)) * cascade.x + cascade.yz;
+    at.uv = vec2(dot(map.rows[0], p), dot(map.rows[1], p)) * cascade.x + cascade.yz;
     at.layer = layer;
     at.slope = tangents * -depthPerTexel;
-    at.reference = min(dot(L_SHADOW_ROW(2), p) + depthPerTexel * shadowSlack(length(tangents), s.facing.w), 1.0);
-    at.size = L_SHADOW_SETTINGS.y;
-    at.texelSize = L_SHADOW_SETTINGS.z;
+    at.reference = min(dot(map.rows[2], p) + depthPerTexel * shadowSlack(length(tangents), s.facing.w), 1.0);
+    at.size = map.settings.y;
+    at.texelSize = map.settings.z;
 #if defined(SHADOW_SOFT)
-    at.softness = L_SHADOW_SOFTNESS.x / cascade.w;
+    at.softness = map.softness / cascade.w;
     at.limit = float(RL_SHADOW_RIM_SOFT) - 2.0;
 #endif
     return filterShadow(shadowMap, at);
@@ -59,10 +66,16 @@ float sunVisibility(LitSurface s, vec3 towardsLight) {
 #if SHADOW_CASCADES > 1
     TRY_CASCADE(0)
 #endif
-    float lit = cascadeVisibility(s, towardsLight, picked, layer);
+    SunMap map;
+    for (int i = 0; i < 3; ++i) map.rows[i] = L_SHADOW_ROW(i);
+    map.settings = L_SHADOW_SETTINGS;
+#if defined(SHADOW_SOFT)
+    map.softness = L_SHADOW_SOFTNESS.x;
+#endif
+    float lit = cascadeVisibility(map, s, towardsLight, picked, layer);
 #if SHADOW_CASCADES > 1
     if (weight < 1.0)
-        lit = mix(cascadeVisibility(s, towardsLight, next, layer + 1.0), lit, weight);
+        lit = mix(cascadeVisibility(map, s, towardsLight, next, layer + 1.0), lit, weight);
 #endif
     // Beyond the last cascade there is no shadow. One that follows the camera fades out, one that holds the scene ends.
     vec4 last = L_SHADOW_CASCADE(SHADOW_CASCADES - 1);

@@ -180,6 +180,28 @@ RL_INLINE float formFactor(HorizonSum s) {
     return abs(sum) * (1.0f / kTwoPi);
 }
 
+/// Steradians that an outline fills, seen from all around: a fan of triangles (Van Oosterom and Strackee 1983, "The Solid
+/// Angle of a Plane Triangle").
+RL_INLINE float outlineSolidAngle(LightOutline o) {
+    vec3 first = normalize(outlineCorner(o, 0));
+    vec3 last = normalize(outlineCorner(o, 1));
+    float sum = 0.0f;
+    for (int i = 2; i < o.corners; ++i) {
+        vec3 next = normalize(outlineCorner(o, i));
+        float volume = dot(first, cross(last, next));
+        sum += 2.0f * atan(volume, 1.0f + dot(first, last) + dot(last, next) + dot(next, first));
+        last = next;
+    }
+    return abs(sum);
+}
+
+/// Of a ball; half of all around from within.
+RL_INLINE float ballSolidAngle(float distance2, float radius) {
+    float share = min(radius * radius / distance2, 1.0f);
+    // 1 - sqrt(1 - share), exact for small ones
+    return kTwoPi * share / (1.0f + sqrt(1.0f - share));
+}
+
 // ---- the lobe ----------------------------------------------------------------------------------------------------
 
 /// The inverse of the matrix that turns a cosine into the specular lobe, of unit scale in y:

@@ -5,6 +5,6 @@
 void main() {
 #if defined(ALPHA_MASK)
     Material material = loadMaterial();
-    cutAlpha(material, materialBaseColor(material).a);
+    cutAlpha(material);
 #endif
 }

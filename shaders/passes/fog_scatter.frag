@@ -39,6 +39,10 @@ vec3 lampScattering(LightSample light, LitSurface s, Piece piece) {
                               phase(-dot(light.direction, s.point.view)));
 }
 
+#if defined(AREA_LIGHTS)
+#include "common/area_scatter.glsl"
+#endif
+
 vec3 clusteredScattering(LitSurface s, Piece piece, vec2 pixel) {
     int cluster = clusterAt(pixel, s.viewDepth);
     uint record = texelFetch(clusterTexels, cluster * CLUSTER_WORDS).x;
@@ -69,6 +73,13 @@ vec3 clusteredScattering(LitSurface s, Piece piece, vec2 pixel) {
         sum += lampScattering(light, s, piece);
     }
 #endif
+#if defined(AREA_LIGHTS)
+    uint others = texelFetch(clusterTexels, cluster * CLUSTER_WORDS + 1).x;
+    first = int(record >> 10) + int(record & 1023u) + int(others & 1023u);
+    count = int(others >> 10);
+    for (int i = 0; i < count; ++i)
+        sum += areaScattering(int(texelFetch(lightIndexTexels, first + i).x) * 3, s, piece);
+#endif
     return sum;
 }
 #endif
@@ -86,6 +97,9 @@ vec3 lightAt(vec3 position, float viewDepth, vec3 view, Piece piece, vec2 pixel)
         // A point of air faces every light.
         s.facing = vec4(towards, 0.0);
         if (i == 0) light *= sunVisibility(s, towards);
+#endif
+#if defined(SHADOWED_SUNS)
+        if (i > 0 && i < SHADOWED_SUNS) light *= secondSunVisibility(i - 1, s, towards);
 #endif
         sum += light;
     }

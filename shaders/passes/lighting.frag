@@ -18,6 +18,10 @@ layout(binding = RL_TEXTURE_GBUFFER2) uniform sampler2D gbuffer2;
 
 layout(location = 0) out vec4 radiance;
 
+#if defined(SUN_SHADOW) || defined(PUNCTUAL_SHADOW) || defined(AREA_SHADOW)
+#include "common/facing_depths.glsl"
+#endif
+
 void main() {
     GBufferSample g = decodeGBuffer(GBufferTexels(textureLod(gbuffer0, screenUv, 0.0),
                                                   textureLod(gbuffer1, screenUv, 0.0),
@@ -34,6 +38,9 @@ void main() {
     vec3 position = pixelBase + pixelRay * viewDepth;
     LitSurface s = makeLitSurface(position, viewDepth, view, g.normal, g.baseColor, g.metallic,
                                   g.roughness, g.occlusion);
+#if defined(SUN_SHADOW) || defined(PUNCTUAL_SHADOW) || defined(AREA_SHADOW)
+    s.facing = facingOfDepths(position, depth, g.normal);
+#endif
 #if defined(AMBIENT_OCCLUSION)
 #if defined(ORTHOGRAPHIC)
     float perDepth = flatDepthDecode.x;

@@ -51,6 +51,7 @@ protected:
         area.luminance = vec3(4);
         area.halfX = {1, 0, 0};
         area.halfY = {0, 0, 1};
+        area.castsShadow = true;
         std::vector<vec3> sky(8 * 4, vec3(0.4f, 0.5f, 0.7f));
         const float vertical[] = {0, 60, 120}, horizontal[] = {0}, candela[] = {3, 2, 1};
         lamp.profile = torch.profile = *renderer->createLightProfile({"web", vertical, horizontal, candela});
@@ -77,11 +78,13 @@ protected:
 
 TEST_F(AllFeaturesGl, GoTogether) {
     const PunctualLight lamps[] = {lamp, torch};
+    std::vector<DirectionalLight> suns(kMaxDirectionalLights, sun);
+    for (size_t i = 0; i < suns.size(); ++i) suns[i].direction.x += float(i);
     for (const ShadowFilter filter : {ShadowFilter::hard, ShadowFilter::pcf, ShadowFilter::soft})
         for (const bool sky : {false, true}) {
             SCOPED_TRACE(testing::Message() << "filter " << int(filter) << ", sky " << sky);
             input.settings.shadowFilter = filter;
-            input.lighting.directional = {&sun, 1};
+            input.lighting.directional = suns;
             input.lighting.punctual = lamps;
             input.lighting.area = {&area, 1};
             input.lighting.environment = sky ? environment : EnvironmentHandle{};

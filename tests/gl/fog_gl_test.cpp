@@ -103,6 +103,91 @@ TEST_F(FogGl, LampsScatterAsTheIntegralAlongTheRaySays) {
     }
 }
 
+/// Points on a light and its normals there; each stands for as much of its surface.
+std::vector<std::pair<vec3, vec3>> pointsOf(const AreaLight& light, float& areaOfOne) {
+    std::vector<std::pair<vec3, vec3>> points;
+    constexpr int kSteps = 24;
+    for (int i = 0; i < kSteps * kSteps; ++i) {
+        const vec2 u = (vec2(i % kSteps, i / kSteps) + 0.5f) / float(kSteps);
+        const float phi = 2 * kPi * u.y;
+        if (light.shape == AreaShape::sphere) {
+            const float z = 2 * u.x - 1, ring = std::sqrt(1 - z * z);
+            const vec3 n(ring * std::cos(phi), ring * std::sin(phi), z);
+            points.push_back({light.position + light.radius * n, n});
+            areaOfOne = 4 * kPi * light.radius * light.radius;
+        } else if (light.shape == AreaShape::tube) {
+            const vec3 axis = glm::normalize(light.halfX), side = glm::normalize(glm::cross(axis, vec3(0.3f, 0.5f, 0.7f)));
+            const vec3 n = std::cos(phi) * side + std::sin(phi) * glm::cross(axis, side);
+            points.push_back({light.position + light.halfX * (2 * u.x - 1) + light.radius * n, n});
+            areaOfOne = 4 * kPi * light.radius * glm::length(light.halfX);
+        } else {
+            const vec2 at = light.shape == AreaShape::disk
+                                ? std::sqrt(u.x) * vec2(std::cos(phi), std::sin(phi)) : 2.0f * u - 1.0f;
+            points.push_back({light.position + light.halfX * at.x + light.halfY * at.y,
+                              glm::normalize(glm::cross(light.halfX, light.halfY))});
+            areaOfOne = (light.shape == AreaShape::disk ? kPi : 4) * glm::length(light.halfX) * glm::length(light.halfY);
+        }
+    }
+    areaOfOne /= kSteps * kSteps;
+    return points;
+}
+
+TEST_F(FogGl, AreaLightsScatterAsTheIntegralOverThemAndTheRaySays) {
+    fog().anisotropy = 0.3f;
+    input.view.verticalFov = 0.1f;
+    addBox({0, 0, -41}, {100, 100, 1}, glowing(vec3(0)));
+    AreaLight lights[4];
+    lights[0].position = {0.5f, 1.5f, -8};
+    lights[0].halfX = {0.6f, 0, 0};
+    lights[0].halfY = {0, 0, 1};  // shines down
+    lights[1].shape = AreaShape::disk;
+    lights[1].position = {-2, 0.2f, -12};
+    lights[1].halfX = {0, 0, -0.8f};
+    lights[1].halfY = {0, 0.8f, 0};  // shines along +x
+    lights[2].shape = AreaShape::sphere;
+    lights[2].position = {0, 1, -15};
+    lights[2].radius = 0.4f;
+    lights[3].shape = AreaShape::tube;
+    lights[3].position = {0.8f, 0.2f, -6};
+    lights[3].halfX = {0.2f, 1.2f, 0.1f};  // across: its ends, left out below, show little
+    lights[3].radius = 0.05f;
+    for (AreaLight& light : lights) {
+        light.luminance = vec3(40);
+        input.lighting.area = {&light, 1};
+        float area = 0;
+        const auto points = pointsOf(light, area);
+        double want = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const float z = (float(i) + 0.5f) * 0.01f;
+            double in = 0;
+            for (const auto& [point, normal] : points) {
+                const vec3 to = point - vec3(0, 0, -z);
+                const float d2 = glm::dot(to, to), facing = -glm::dot(to, normal) / std::sqrt(d2);
+                if (facing > 0) in += double(40 * facing * area / d2 * phase(0.3f, -to.z / std::sqrt(d2)));
+            }
+            want += in * 0.05 * 0.8 * std::exp(-0.05 * double(z)) * 0.01;
+        }
+        EXPECT_NEAR(centre().x, want, 0.05 * want) << int(light.shape);
+    }
+}
+
+TEST_F(FogGl, AreaLightsCastShadowsInIt) {
+    addBox({0, 0, -41}, {100, 100, 1}, glowing(vec3(0)));
+    AreaLight light;
+    light.shape = AreaShape::sphere;
+    light.position = {0, 3, -10};
+    light.luminance = vec3(100);
+    light.castsShadow = true;
+    input.lighting.area = {&light, 1};
+    input.settings.lightShadows = true;
+    const float open = centre().x;
+    addBox({0, 2, -10}, {30, 0.1f, 30}, glowing(vec3(0)));
+    for (const ShadowFilter filter : {ShadowFilter::hard, ShadowFilter::soft}) {
+        input.settings.shadowFilter = filter;
+        EXPECT_LT(centre().x, 0.03f * open);
+    }
+}
+
 TEST_F(FogGl, BlendedSurfacesAndEmissionLieInTheFogToo) {
     input.lighting.ambientSky = input.lighting.ambientGround = vec3(0.5f);
     addBox({0, 0, -61}, {100, 100, 1}, glowing(vec3(0)));

@@ -125,10 +125,8 @@ TEST_F(ShadowTruthGl, TheTortureScene) {
         scene.suns[0].direction = glm::normalize(vec3(-0.6f, -1, -0.35f));
     }
     expectFew("torture, sun", high, {});
-    // Slivers of light between leaves and posts, narrower than a texel is long at 7 degrees.
-    expectFew("torture, grazing sun", grazing, {1.1, 0.6, 0.8, 0.4});
-    // Leaves of four texels across.
-    expectFew("torture, lamps", lamps, {0.9, 1.8, 0.2, 0.6});
+    expectFew("torture, grazing sun", grazing, {});
+    expectFew("torture, lamps", lamps, {});
 }
 
 TEST_F(ShadowTruthGl, TheSquareAtNight) {
@@ -143,8 +141,8 @@ TEST_F(ShadowTruthGl, TheSquareAtNight) {
     ShadowFigures all;
     for (uint32_t i = 0; i < lights.size(); ++i)
         all.add(lamp(input, i, 512, "square-lamp-" + std::to_string(i)));
-    // Lamps far from the camera have maps of as few texels as they have pixels: shutters and leaves are lost.
-    expectFew("the square's lamps", all, {0.9, 1.4, 0.3, 0.8});
+    // What the atlas holds is not enough for shutters and leaves far away.
+    expectFew("the square's lamps", all, {0.65, 0.85, 0.3, 0.5});
 }
 
 TEST_F(ShadowTruthGl, Sponza) {
@@ -162,7 +160,7 @@ TEST_F(ShadowTruthGl, Sponza) {
         input.view.viewFromWorld = glm::lookAt(view[0], view[1], vec3(0, 1, 0));
         all.add(sun(input, "sponza-" + std::to_string(number++)));
     }
-    expectFew("Sponza", all, {0.5, 0.5, 0.4, 0.5});
+    expectFew("Sponza", all, {});
 }
 
 }  // namespace

@@ -10,3 +10,14 @@ target_link_libraries(shadows_gl_test PRIVATE
   rushlight_context rushlight_ray_bridge rushlight_capture rushlight_assets rushlight_jobs
   GTest::gtest_main rushlight_options)
 gtest_discover_tests(shadows_gl_test PROPERTIES TIMEOUT 600)
+
+# Of area lights and of several suns, on a fixture of their own.
+add_executable(shadow_lights_gl_test
+  area_shadow_gl_test.cpp
+  second_suns_gl_test.cpp
+  ../support/lit_frame.cpp
+  ../support/test_context.cpp)
+target_include_directories(shadow_lights_gl_test PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
+target_link_libraries(shadow_lights_gl_test PRIVATE
+  rushlight_renderer rushlight_raytrace ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
+gtest_discover_tests(shadow_lights_gl_test)

@@ -127,6 +127,23 @@ TEST(AreaLights, DiffuseFormFactorsEqualTheSumOverTheSurface) {
     }
 }
 
+TEST(AreaLights, SolidAnglesAreThoseOfTheSurface) {
+    for (const AreaCase& c : cases()) {
+        double sum = 0;
+        for (uint32_t i = 0; i < kSamples; ++i) {
+            const SurfacePoint p = c.surface(hammersley(i, kSamples));
+            const float distance2 = glm::dot(p.position, p.position);
+            const float facing = -glm::dot(p.position, p.normal) / std::sqrt(distance2);
+            if (c.closed && facing <= 0) continue;
+            sum += double(std::abs(facing) * p.area / distance2 / kSamples);
+        }
+        EXPECT_NEAR(double(outlineSolidAngle(c.outline)) / sum, 1, 0.01) << c.name;
+    }
+    const vec3 at(1, -2, 2);
+    EXPECT_NEAR(ballSolidAngle(glm::dot(at, at), 0.9f) / outlineSolidAngle(sphereOutline(at, 0.9f)), 1, 2e-3f);
+    EXPECT_NEAR(ballSolidAngle(0.1f, 1), 2 * kPi, 1e-5f) << "within it there is half of all around";
+}
+
 TEST(AreaLights, AWholeHemisphereIsOne) {
     const AreaCase c = rectangle("", {0, 0, 0.01f}, {20, 0, 0}, {0, 20, 0});
     for (const float roughness : {0.1f, 0.5f, 1.0f}) {
@@ -149,16 +166,17 @@ TEST(AreaLights, SpecularFormFactorsFollowTheSumOverTheSurface) {
                 const double error = std::abs(double(f.y) - truth.specular);
                 const double reflected = truth.diffuse + 0.04 * truth.specular;
                 const double dielectric = std::abs(double(f.x) + 0.04 * double(f.y) - reflected) / reflected;
-                EXPECT_LT(error, 0.05) << c.name << " " << roughness << " " << nDotV;
-                EXPECT_LT(dielectric, 0.04) << c.name << " " << roughness << " " << nDotV;
+                EXPECT_LT(error, 0.036) << c.name << " " << roughness << " " << nDotV;
+                EXPECT_LT(dielectric, 0.03) << c.name << " " << roughness << " " << nDotV;
                 sum += error;
                 worst = std::max(worst, error);
                 worstDielectric = std::max(worstDielectric, dielectric);
+                if (getenv("DUMP") && (error > 0.025 || dielectric > 0.025)) std::printf("%s r %g nv %g: lobe %.4f truth %.4f err %.4f diel %.4f (diffuse err %.4f)\n", c.name, double(roughness), double(nDotV), double(f.y), truth.specular, double(f.y)-truth.specular, dielectric, (double(f.x)-truth.diffuse)/reflected);
                 overThree += error > 0.03 || dielectric > 0.03;
                 ++count;
             }
     EXPECT_LT(sum / count, 0.006);
-    EXPECT_LE(overThree, 10u) << "of " << count << "; worst " << worst << ", " << worstDielectric;
+    EXPECT_LE(overThree, 2u) << "of " << count << "; worst " << worst << ", " << worstDielectric;
     RecordProperty("worst", std::to_string(worst));
     RecordProperty("worstDielectric", std::to_string(worstDielectric));
 }

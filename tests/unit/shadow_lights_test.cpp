@@ -61,6 +61,36 @@ TEST_F(ShadowLightsTest, OnlyThoseThatCastAndReachIntoViewHaveSquares) {
     EXPECT_TRUE(shadows.records().empty());
 }
 
+TEST_F(ShadowLightsTest, AreaLightsHaveACubeOrTheHalfThatTheyShineTo) {
+    add({0, 0, -10});
+    AreaLight area[4];
+    for (AreaLight& light : area) light.position = {1, 0, -8}, light.range = 6, light.castsShadow = true;
+    area[1].castsShadow = false;
+    area[2].shape = AreaShape::sphere;
+    area[3].twoSided = true;
+    View view;
+    view.viewFromWorld = mat4(1);
+    const CameraMatrices camera = makeCamera(view, 16.0f / 9).value();
+    const auto counts = shadows.select({&camera, 720, lights, &settings, area});
+    EXPECT_EQ(counts.lights, 4u);
+    ASSERT_EQ(shadows.areaRecords().size(), 4u);
+    EXPECT_EQ(shadows.areaRecords()[0], 6);
+    EXPECT_EQ(shadows.areaRecords()[1], -1);
+    EXPECT_EQ(shadows.areaRecords()[2], 11);
+    EXPECT_EQ(shadows.areaRecords()[3], 17);
+    EXPECT_EQ(shadows.faces().size(), 23u);
+    // A rectangle's cube is turned: its fifth face looks the way that it shines, and the sphere begins at its surface.
+    EXPECT_NEAR(glm::dot(shadows.gpuFaces()[10].forward, vec3(0, 0, 1)), 1, 1e-6f);
+    EXPECT_NEAR(shadows.gpuFaces()[11].nearPlane, area[2].radius + area[2].shadowNear, 1e-6f);
+    drawnFaces();
+    area[0].luminance *= 2.0f;
+    shadows.select({&camera, 720, lights, &settings, area});
+    EXPECT_EQ(drawnFaces(), 0u);
+    area[0].halfX = {0, 0, 0.5f};  // shines along -x
+    shadows.select({&camera, 720, lights, &settings, area});
+    EXPECT_EQ(drawnFaces(), 5u);
+}
+
 // Every direction is in exactly the face that the shader picks, within its square and off the border.
 TEST_F(ShadowLightsTest, TheFacesOfACubeSeeEverything) {
     add({1, 2, -10});
