@@ -10,6 +10,7 @@
 #include "renderer/frame/host_worlds.h"
 #include "renderer/frame/irradiance_store.h"
 #include "renderer/frame/light_clusters.h"
+#include "renderer/frame/reflection_store.h"
 #include "renderer/frame/shadow_schedule.h"
 #include "renderer/frame/visibility.h"
 #include "renderer/passes/bloom_pass.h"
@@ -53,6 +54,7 @@ public:
     MaterialStore materials;
     DecalStore decals;
     EnvironmentStore environments;
+    ReflectionStore reflections;
     IrradianceStore irradianceVolumes;
     HostWorlds worlds;
 

@@ -18,6 +18,7 @@ set(RUSHLIGHT_SHADER_FILES
   common/local_light.glsl
   common/material.glsl
   common/punctual_shadow.glsl
+  common/reflection_probes.glsl
   common/shadow_filter.glsl
   common/occlusion_texel.glsl
   common/pyramid.glsl
@@ -31,6 +32,7 @@ set(RUSHLIGHT_SHADER_FILES
   interop/interop.h
   interop/irradiance_volume.h
   interop/occlusion_arc.h
+  interop/reflection_probe.h
   interop/screen_uniforms.h
   interop/ltc.h
   interop/surface_flags.h

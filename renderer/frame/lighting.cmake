@@ -8,6 +8,7 @@ add_library(rushlight_lighting STATIC
   equirect.cpp
   irradiance_file.cpp
   irradiance_volume.cpp
+  reflection_probes.cpp
   sky.cpp
   ltc_fit.cpp
   ltc_lookup.cpp

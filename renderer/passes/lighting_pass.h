@@ -24,6 +24,7 @@ struct LightingFeatures {
     bool orthographic = false;
     bool irradianceVolume = false;  ///< the environment's irradiance, or the hemisphere, is not read then
 
+    bool reflectionProbes = false;  ///< before the environment, the hemisphere or the irradiance volume
     bool areaLights = false;       ///< LightClass::area
     bool clusteredLights() const { return plainLights || modulatedLights || areaLights; }
     bool operator==(const LightingFeatures&) const = default;
@@ -49,6 +50,8 @@ struct LightingBindings {
     SamplerHandle linearSampler;
     TextureHandle probeDistances;  ///< with an irradiance volume
     BufferRange probeRecords;
+    TextureHandle reflectionCubes;  ///< with reflection probes: an array
+    BufferRange reflectionRecords;
 
     void record(PassContext& context) const;
     /// The irradiance volume itself, for passes that look it up.
