@@ -46,6 +46,7 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
     if (!reflections.empty()) {
         b.features.reflectionProbes = true;
         b.reflectionCubes = reflections.cubes();
+        b.reflectionIrradiance = reflections.irradiance();
         b.reflectionRecords = commands_.append(reflections.records());
     }
     b.features.shadowFilter = input.settings.shadowFilter;

@@ -61,40 +61,60 @@ void writeReflectionRecords(std::span<const ReflectionProbe> probes, std::span<c
     }
 }
 
-ReflectionStore::~ReflectionStore() {
+ReflectionStore::~ReflectionStore() { release(); }
+
+void ReflectionStore::release() {
     if (cubes_) device_.destroy(cubes_);
+    if (irradiance_) device_.destroy(irradiance_);
+    cubes_ = irradiance_ = {};
+    capacity_ = 0;
+    layers_ = {};
+}
+
+Result<TextureHandle> ReflectionStore::makeArray(const char* label, uint32_t size, uint32_t levels,
+                                                 uint32_t cubes) {
+    TextureDesc desc;
+    desc.label = label;
+    desc.kind = TextureKind::cubeArray;
+    desc.format = Format::rgba16f;
+    desc.width = desc.height = size;
+    desc.layers = 6 * cubes;
+    desc.mipLevels = levels;
+    return device_.createTexture(desc);
 }
 
 Result<void> ReflectionStore::grow(uint32_t count) {
     if (count <= capacity_) return {};
     const uint32_t capacity = std::bit_ceil(count);
-    TextureDesc desc;
-    desc.label = "reflection-probes";
-    desc.kind = TextureKind::cubeArray;
-    desc.format = Format::rgba16f;
-    desc.width = desc.height = kEnvironmentSize;
-    desc.layers = 6 * capacity;
-    desc.mipLevels = kEnvironmentLevels;
-    const auto texture = device_.createTexture(desc);
-    if (!texture) return tl::unexpected(texture.error());
-    if (cubes_) device_.destroy(cubes_);
-    cubes_ = *texture;
+    release();
+    const auto cubes =
+        makeArray("reflection-probes", kEnvironmentSize, kEnvironmentLevels, capacity);
+    if (!cubes) return tl::unexpected(cubes.error());
+    cubes_ = *cubes;
+    const auto irradiance = makeArray("reflection-irradiance", kIrradianceSize, 1, capacity);
+    if (!irradiance) return tl::unexpected(irradiance.error());
+    irradiance_ = *irradiance;
     capacity_ = capacity;
-    layers_ = {};
     return {};
 }
 
 // The only way between two textures that a Device has is through the host; it is taken when a probe comes into view for
 // the first time, and when it was captured again.
-void ReflectionStore::copyInto(uint32_t layer, const GpuEnvironment& environment) {
-    for (uint32_t level = 0; level < kEnvironmentLevels; ++level) {
-        const uint32_t size = kEnvironmentSize >> level;
-        scratch_.resize(size_t(size) * size * bytesPerTexel(Format::rgba16f));
+void ReflectionStore::copyCube(TextureHandle from, TextureHandle to, uint32_t layer, uint32_t size,
+                               uint32_t levels) {
+    for (uint32_t level = 0; level < levels; ++level) {
+        const uint32_t side = size >> level;
+        scratch_.resize(size_t(side) * side * bytesPerTexel(Format::rgba16f));
         for (uint32_t face = 0; face < 6; ++face) {
-            device_.read(environment.specular, level, face, scratch_);
-            device_.write(cubes_, {level, 6 * layer + face, 1, size, size}, scratch_);
+            device_.read(from, level, face, scratch_);
+            device_.write(to, {level, 6 * layer + face, 1, side, side}, scratch_);
         }
     }
+}
+
+void ReflectionStore::copyInto(uint32_t layer, const GpuEnvironment& environment) {
+    copyCube(environment.specular, cubes_, layer, kEnvironmentSize, kEnvironmentLevels);
+    copyCube(environment.irradiance, irradiance_, layer, kIrradianceSize, 1);
 }
 
 uint32_t ReflectionStore::layerOf(const GpuEnvironment& environment) {

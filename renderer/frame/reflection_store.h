@@ -34,6 +34,7 @@ public:
     bool empty() const { return chosen_.empty(); }
     std::span<const vec4> records() const { return records_; }
     TextureHandle cubes() const { return cubes_; }
+    TextureHandle irradiance() const { return irradiance_; }
 
 private:
     struct Layer {
@@ -42,11 +43,16 @@ private:
     };
     Result<void> grow(uint32_t count);
     uint32_t layerOf(const GpuEnvironment& environment);
+    Result<TextureHandle> makeArray(const char* label, uint32_t size, uint32_t levels,
+                                    uint32_t cubes);
     void copyInto(uint32_t layer, const GpuEnvironment& environment);
+    void copyCube(TextureHandle from, TextureHandle to, uint32_t layer, uint32_t size,
+                  uint32_t levels);
+    void release();
 
     Device& device_;
     const EnvironmentStore& environments_;
-    TextureHandle cubes_;
+    TextureHandle cubes_, irradiance_;
     uint32_t capacity_ = 0;
     std::array<Layer, kMaxShownReflectionProbes> layers_{};
     uint64_t use_ = 0;

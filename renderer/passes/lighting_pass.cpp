@@ -75,6 +75,9 @@ void LightingBindings::record(PassContext& context) const {
     }
     if (features.reflectionProbes) {
         commands.push(BindTexture{RL_TEXTURE_REFLECTION_CUBES, reflectionCubes, cubeSampler});
+        if (!features.irradianceVolume)
+            commands.push(BindTexture{RL_TEXTURE_REFLECTION_IRRADIANCE, reflectionIrradiance,
+                                      cubeSampler});
         commands.push(
             BindTexelBuffer{RL_TEXTURE_REFLECTION_RECORDS, Format::rgba32f, {}, reflectionRecords});
     }

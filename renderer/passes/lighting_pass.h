@@ -50,7 +50,7 @@ struct LightingBindings {
     SamplerHandle linearSampler;
     TextureHandle probeDistances;  ///< with an irradiance volume
     BufferRange probeRecords;
-    TextureHandle reflectionCubes;  ///< with reflection probes: an array
+    TextureHandle reflectionCubes, reflectionIrradiance;  ///< with reflection probes: arrays
     BufferRange reflectionRecords;
 
     void record(PassContext& context) const;

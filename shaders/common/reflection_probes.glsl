@@ -2,6 +2,9 @@
 #include "interop/reflection_probe.h"
 
 layout(binding = RL_TEXTURE_REFLECTION_CUBES) uniform samplerCubeArray reflectionCubes;
+#if !defined(IRRADIANCE_VOLUME)
+layout(binding = RL_TEXTURE_REFLECTION_IRRADIANCE) uniform samplerCubeArray reflectionIrradiance;
+#endif
 layout(binding = RL_TEXTURE_REFLECTION_RECORDS) uniform samplerBuffer reflectionRecords;
 
 // Smaller boxes are before larger ones, and each leaves to the next what it does not cover: the shares add up to one, with
@@ -33,9 +36,8 @@ void gatherReflectionProbes(inout LitSurface s) {
         s.probesMirrored += share * textureLod(reflectionCubes, vec4(towards, capture.w),
                                                clamp(s.roughness, 0.0, 1.0) * lastLevel).rgb;
 #if !defined(IRRADIANCE_VOLUME)
-        // With alpha = 1 the prefiltered lobe is the cosine's: its last level is irradiance over pi.
         s.probesIrradiance +=
-            share * textureLod(reflectionCubes, vec4(s.bent, capture.w), lastLevel).rgb;
+            share * textureLod(reflectionIrradiance, vec4(s.bent, capture.w), 0.0).rgb;
 #endif
     }
     s.beyondProbes = max(s.beyondProbes, 0.0);

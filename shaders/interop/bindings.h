@@ -43,7 +43,9 @@
 #define RL_TEXTURE_SOURCE0 12
 #define RL_TEXTURE_SOURCE1 13
 #define RL_TEXTURE_SOURCE2 14
-#define RL_TEXTURE_REFLECTION_RECORDS 14  // what is lit has no third input of its own
+// What lights surfaces has but one source of its own.
+#define RL_TEXTURE_REFLECTION_IRRADIANCE 13
+#define RL_TEXTURE_REFLECTION_RECORDS 14
 #define RL_TEXTURE_SKY 15
 // Texel buffers: on llvmpipe they are read twice as fast as storage blocks
 #define RL_TEXTURE_MATERIALS 16
