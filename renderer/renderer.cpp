@@ -177,6 +177,13 @@ Result<EnvironmentHandle> Renderer::createEnvironment(const EnvironmentDesc& des
     if (!use) return use.error();
     return state_->frames->environments.create(desc);
 }
+Result<EnvironmentHandle> Renderer::createEnvironment(const PrefilteredEnvironmentDesc& desc) {
+    const Use use(*state_);
+    if (!use) return use.error();
+    const auto converted = convertPrefiltered(desc, state_->jobs());
+    if (!converted) return tl::unexpected(converted.error());
+    return state_->frames->environments.create(*converted);
+}
 Result<PrefilteredEnvironment> Renderer::capture(const FrameInput& input, const vec3& position,
                                                  const CaptureDesc& desc) {
     const auto render = [&](const FrameInput& face, uint32_t size,

@@ -55,6 +55,11 @@ private:
     void buildCameras();
     void buildLights();
 
+    // gltf_surroundings.cpp
+    void buildReflectionProbe(size_t node, const tinygltf::Value& extras);
+    void buildImageBasedLight();
+    void readFace(ImageBasedLight& light, uint32_t level, int image);
+
     // gltf_animation.cpp
     void buildSkins();
     void checkSkinnedNodes() const;

@@ -26,6 +26,7 @@ Model GltfBuilder::build() {
     buildLights();
     buildNodes();
     buildScene();
+    buildImageBasedLight();
     buildSkins();
     checkSkinnedNodes();
     buildAnimations();

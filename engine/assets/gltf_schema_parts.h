@@ -8,7 +8,7 @@ namespace rushlight::assets {
 /// How many of each there are, for references.
 struct Counts {
     size_t accessors = 0, buffers = 0, bufferViews = 0, cameras = 0, images = 0, lights = 0;
-    size_t materials = 0, meshes = 0, nodes = 0, samplers = 0, scenes = 0, skins = 0, textures = 0;
+    size_t materials = 0, meshes = 0, nodes = 0, samplers = 0, scenes = 0, skins = 0, textures = 0, imageBasedLights = 0;
 };
 
 /// Calls `check` with each object of an array property of `parent`.
@@ -31,6 +31,9 @@ void checkMaterials(const Counts& counts, const JsonObject& root);
 void checkMeshes(const Counts& counts, const JsonObject& root);
 void checkCameras(const JsonObject& root);
 size_t checkLights(const JsonObject& root);  ///< how many there are
+size_t checkImageBasedLights(const Counts& counts, const JsonObject& root);  ///< how many there are
+void checkImageBasedLightOf(const JsonObject& scene, size_t lights);
+void checkReflectionProbe(const JsonObject& node);
 void checkNodes(const Counts& counts, const JsonObject& root);
 void checkSkins(const Counts& counts, const JsonObject& root);
 void checkAnimations(const Counts& counts, const JsonObject& root);

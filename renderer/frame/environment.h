@@ -50,4 +50,9 @@ Result<PrefilteredEnvironment> prefilterEnvironment(const EnvironmentDesc& desc,
 /// that side too, but at least kEnvironmentSize and at most kMaxBackgroundSize.
 PrefilteredEnvironment prefilterCube(CubeLevel source, JobSystem& jobs);
 
+/// Fails when the size, the levels and the number of texels do not fit each other. Texels that are negative or not
+/// finite count as black.
+Result<PrefilteredEnvironment> convertPrefiltered(const PrefilteredEnvironmentDesc& desc,
+                                                  JobSystem& jobs);
+
 }  // namespace rushlight

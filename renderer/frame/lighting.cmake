@@ -5,6 +5,7 @@ add_library(rushlight_lighting STATIC
   cube_image.cpp
   environment.cpp
   environment_cache.cpp
+  environment_import.cpp
   equirect.cpp
   irradiance_file.cpp
   irradiance_volume.cpp

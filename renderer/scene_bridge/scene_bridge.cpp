@@ -5,6 +5,7 @@
 #include "engine/scene/pose.h"
 #include "renderer/scene_bridge/materials.h"
 #include "renderer/scene_bridge/scene_lights.h"
+#include "renderer/scene_bridge/scene_surroundings.h"
 
 #include <algorithm>
 
@@ -30,6 +31,7 @@ struct SceneBridge::State {
     State(Renderer& r, const assets::Model& m) : renderer(r), model(m), materials(r, m) {}
     ~State() {
         for (MeshHandle mesh : meshes) renderer.destroy(mesh);
+        for (EnvironmentHandle captured : environments) renderer.destroy(captured);
     }
 
     Result<void> addInstances();
@@ -40,6 +42,7 @@ struct SceneBridge::State {
     Result<void> describeMeshes(ResourceSink&);
     void move(size_t instance, const mat4x3& to);
     Result<void> setPose(scene::Pose);
+    void placeProbes();
 
     Renderer& renderer;
     const assets::Model& model;
@@ -57,6 +60,9 @@ struct SceneBridge::State {
     std::vector<mat4x3> previousTransforms;  ///< as `instances`
     SceneLights lights;
     std::vector<std::string> notes;
+    std::vector<ReflectionProbe> probes;  ///< where nodes have them
+    std::vector<CaptureDesc> captures;    ///< as `probes`
+    std::vector<EnvironmentHandle> environments;  ///< as `probes`; empty: not captured yet
     scene::DeformedVertices scratch;
 };
 
@@ -153,7 +159,18 @@ Result<void> SceneBridge::State::setPose(scene::Pose pose) {
         move(i, drawables[i].worldFromLocal);
     }
     lights = lightsOf(model, nodes, now.worldFromNode, notes);
+    placeProbes();
     return {};
+}
+
+// A probe that an animation scales to nothing, or back, changes their number; then they are to be captured anew.
+void SceneBridge::State::placeProbes() {
+    probes = reflectionProbesOf(model, nodes, now.worldFromNode, captures, notes);
+    if (environments.size() != probes.size()) {
+        for (EnvironmentHandle captured : environments) renderer.destroy(captured);
+        environments.clear();
+    }
+    for (size_t i = 0; i < environments.size(); ++i) probes[i].environment = environments[i];
 }
 
 SceneBridge::SceneBridge(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -183,12 +200,41 @@ void SceneBridge::fill(FrameInput& input) const {
     input.previousTransforms = state_->previousTransforms;
     input.lighting.directional = state_->lights.directional;
     input.lighting.punctual = state_->lights.punctual;
+    if (!state_->environments.empty()) input.lighting.reflectionProbes = state_->probes;
 }
 
 Result<void> SceneBridge::describe(ResourceSink& sink) const {
     if (auto ok = state_->materials.describe(sink); !ok) return ok;
     return state_->describeMeshes(sink);
 }
+
+// All are seen as they are without each other: the first bounce, the same in whatever order they are captured.
+Result<void> SceneBridge::captureReflections(const FrameInput& input) {
+    State& s = *state_;
+    FrameInput seen = input;
+    seen.lighting.reflectionProbes = {};
+    std::vector<EnvironmentHandle> made;
+    for (size_t i = 0; i < s.probes.size(); ++i) {
+        if (!s.environments.empty()) {
+            const auto again = s.renderer.recaptureEnvironment(s.environments[i], seen,
+                                                               s.probes[i].position, s.captures[i]);
+            if (!again) return again;
+            continue;
+        }
+        const auto captured =
+            s.renderer.captureEnvironment(seen, s.probes[i].position, s.captures[i]);
+        if (!captured) {
+            for (EnvironmentHandle environment : made) s.renderer.destroy(environment);
+            return tl::unexpected(captured.error());
+        }
+        made.push_back(*captured);
+    }
+    if (s.environments.empty()) s.environments = std::move(made);
+    for (size_t i = 0; i < s.probes.size(); ++i) s.probes[i].environment = s.environments[i];
+    return {};
+}
+
+bool SceneBridge::hasReflectionProbes() const { return !state_->probes.empty(); }
 
 bool SceneBridge::hasLights() const {
     return !state_->lights.directional.empty() || !state_->lights.punctual.empty();

@@ -27,7 +27,7 @@ public:
     /// when something changed.
     Result<void> pose(int animation, float seconds);
 
-    /// Fills the instances, previous transforms and lights. The spans are good until the next
+    /// Fills the instances, previous transforms, lights and captured reflection probes. The spans are good until the next
     /// pose().
     void fill(FrameInput& input) const;
 
@@ -35,6 +35,13 @@ public:
     Result<void> describe(ResourceSink& sink) const;
 
     bool hasLights() const;
+
+    /// Captures the light around the nodes that have reflection probes, in the present pose, as `input` lights it: what
+    /// fill() gave, and what else a frame has. Before the first time fill() gives no probes; a later time captures anew.
+    /// Slow: 6 frames and a prefiltering each.
+    Result<void> captureReflections(const FrameInput& input);
+    bool hasReflectionProbes() const;
+
     Aabb bounds() const;  ///< of all instances, world space; empty when nothing is shown
 
     /// The camera of Model::cameras in its pose; nothing when no shown node has it.
