@@ -177,7 +177,8 @@ Result<EnvironmentHandle> Renderer::createEnvironment(const EnvironmentDesc& des
     if (!use) return use.error();
     return state_->frames->environments.create(desc);
 }
-Result<EnvironmentHandle> Renderer::createEnvironment(const PrefilteredEnvironmentDesc& desc) {
+Result<EnvironmentHandle> Renderer::createPrefilteredEnvironment(
+    const PrefilteredEnvironmentDesc& desc) {
     const Use use(*state_);
     if (!use) return use.error();
     const auto converted = convertPrefiltered(desc, state_->jobs());

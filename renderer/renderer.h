@@ -87,7 +87,7 @@ public:
     Result<MaterialHandle> createMaterial(const MaterialDesc&);
     Result<void> updateMaterial(MaterialHandle, const MaterialDesc&);
     Result<EnvironmentHandle> createEnvironment(const EnvironmentDesc&);
-    Result<EnvironmentHandle> createEnvironment(const PrefilteredEnvironmentDesc&);
+    Result<EnvironmentHandle> createPrefilteredEnvironment(const PrefilteredEnvironmentDesc&);
     /// The scene around a place as an environment, as for Lighting::reflectionProbes: six frames into images of the
     /// renderer's own, read back and prefiltered. Of `input` the view is not used, and what hangs on a view is off
     /// (reflections of the screen, the sun's disk, whose light is in the highlights, and overlays); an environment is the

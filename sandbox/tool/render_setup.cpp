@@ -151,7 +151,7 @@ Result<void> RenderSetup::useFileEnvironment(const assets::ImageBasedLight& ligh
     fileIntensity_ = light.intensity;
     hasEnvironment_ = true;
     if (!context_) return {};
-    const auto created = renderer_->createEnvironment(environmentOf(light));
+    const auto created = renderer_->createPrefilteredEnvironment(environmentOf(light));
     if (!created) return tl::unexpected(created.error());
     environment_ = *created;
     return {};
