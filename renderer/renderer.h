@@ -91,7 +91,7 @@ public:
     /// The scene around a place as an environment, as for Lighting::reflectionProbes: six frames into images of the
     /// renderer's own, read back and prefiltered. Of `input` the view is not used, and what hangs on a view is off
     /// (reflections of the screen, the sun's disk, whose light is in the highlights, and overlays); an environment is the
-    /// background. Its own reflectionProbes are mirrored as given: none, for a first bounce. Slow: for loading, or to be
+    /// background. Its own reflectionProbes are mirrored as given: none for a first bounce, the first's for a second. Slow: for loading, or to be
     /// spread by the host. Wrong input is an Error as in render; as frames, captures move the worlds' previous transforms.
     Result<EnvironmentHandle> captureEnvironment(const FrameInput&, const vec3& position,
                                                  const CaptureDesc& = {});

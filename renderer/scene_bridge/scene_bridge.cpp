@@ -43,6 +43,8 @@ struct SceneBridge::State {
     void move(size_t instance, const mat4x3& to);
     Result<void> setPose(scene::Pose);
     void placeProbes();
+    Result<void> captureFirst(const FrameInput& seen);
+    Result<void> captureAgain(const FrameInput& seen);
 
     Renderer& renderer;
     const assets::Model& model;
@@ -208,30 +210,40 @@ Result<void> SceneBridge::describe(ResourceSink& sink) const {
     return state_->describeMeshes(sink);
 }
 
-// All are seen as they are without each other: the first bounce, the same in whatever order they are captured.
-Result<void> SceneBridge::captureReflections(const FrameInput& input) {
-    State& s = *state_;
-    FrameInput seen = input;
-    seen.lighting.reflectionProbes = {};
+Result<void> SceneBridge::State::captureFirst(const FrameInput& seen) {
     std::vector<EnvironmentHandle> made;
-    for (size_t i = 0; i < s.probes.size(); ++i) {
-        if (!s.environments.empty()) {
-            const auto again = s.renderer.recaptureEnvironment(s.environments[i], seen,
-                                                               s.probes[i].position, s.captures[i]);
-            if (!again) return again;
-            continue;
-        }
-        const auto captured =
-            s.renderer.captureEnvironment(seen, s.probes[i].position, s.captures[i]);
+    for (size_t i = 0; i < probes.size(); ++i) {
+        const auto captured = renderer.captureEnvironment(seen, probes[i].position, captures[i]);
         if (!captured) {
-            for (EnvironmentHandle environment : made) s.renderer.destroy(environment);
+            for (EnvironmentHandle environment : made) renderer.destroy(environment);
             return tl::unexpected(captured.error());
         }
         made.push_back(*captured);
     }
-    if (s.environments.empty()) s.environments = std::move(made);
-    for (size_t i = 0; i < s.probes.size(); ++i) s.probes[i].environment = s.environments[i];
+    environments = std::move(made);
+    for (size_t i = 0; i < probes.size(); ++i) probes[i].environment = environments[i];
     return {};
+}
+
+Result<void> SceneBridge::State::captureAgain(const FrameInput& seen) {
+    for (size_t i = 0; i < probes.size(); ++i)
+        if (auto done = renderer.recaptureEnvironment(environments[i], seen, probes[i].position,
+                                                      captures[i]);
+            !done)
+            return done;
+    return {};
+}
+
+// First as they are without any probes, then with the light that these give: what a mirror shows of a room would else be
+// darker than the room is.
+Result<void> SceneBridge::captureReflections(const FrameInput& input) {
+    State& s = *state_;
+    FrameInput seen = input;
+    seen.lighting.reflectionProbes = {};
+    const auto first = s.environments.empty() ? s.captureFirst(seen) : s.captureAgain(seen);
+    if (!first) return first;
+    seen.lighting.reflectionProbes = s.probes;
+    return s.captureAgain(seen);
 }
 
 bool SceneBridge::hasReflectionProbes() const { return !state_->probes.empty(); }

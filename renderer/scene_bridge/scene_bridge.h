@@ -38,7 +38,7 @@ public:
 
     /// Captures the light around the nodes that have reflection probes, in the present pose, as `input` lights it: what
     /// fill() gave, and what else a frame has. Before the first time fill() gives no probes; a later time captures anew.
-    /// Slow: 6 frames and a prefiltering each.
+    /// Two bounces: each is captured twice, with six frames and a prefiltering.
     Result<void> captureReflections(const FrameInput& input);
     bool hasReflectionProbes() const;
 
