@@ -11,6 +11,7 @@
 #include "renderer/frame/irradiance_store.h"
 #include "renderer/frame/light_clusters.h"
 #include "renderer/frame/light_pattern_store.h"
+#include "renderer/frame/reflection_store.h"
 #include "renderer/frame/second_suns.h"
 #include "renderer/frame/shadow_schedule.h"
 #include "renderer/frame/visibility.h"
@@ -56,6 +57,7 @@ public:
     DecalStore decals;
     LightPatternStore lightPatterns;
     EnvironmentStore environments;
+    ReflectionStore reflections;
     IrradianceStore irradianceVolumes;
     HostWorlds worlds;
 

@@ -88,6 +88,11 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
                                          "; it must be finite and not negative.");
     if (lighting.environment && !environments.find(lighting.environment))
         return wrong("lighting", "the environment is a stale handle.");
+    if (auto ok = checkReflectionProbes(lighting.reflectionProbes); !ok) return ok;
+    for (size_t i = 0; i < lighting.reflectionProbes.size(); ++i)
+        if (!environments.find(lighting.reflectionProbes[i].environment))
+            return fail("reflection probe " + std::to_string(i),
+                        "its environment is none or a stale handle.", ErrorKind::wrongUse);
     if (lighting.irradianceVolume && !irradianceVolumes.find(lighting.irradianceVolume))
         return wrong("lighting", "the irradiance volume is a stale handle.");
     if (!std::isfinite(glm::length(lighting.ambientSky) + glm::length(lighting.ambientGround) +

@@ -55,6 +55,14 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
         b.patternSampler = lightPatterns.sampler();
     }
     b.features.areaShadow = !shadowLights_.areaRecords().empty() && b.features.areaLights;
+    if (auto ok = reflections.prepare(lighting.reflectionProbes, camera); !ok)
+        return tl::unexpected(ok.error());
+    if (!reflections.empty()) {
+        b.features.reflectionProbes = true;
+        b.reflectionCubes = reflections.cubes();
+        b.reflectionIrradiance = reflections.irradiance();
+        b.reflectionRecords = commands_.append(reflections.records());
+    }
     b.features.shadowFilter = input.settings.shadowFilter;
     b.shadowSampler = shadowSampler_;
     b.cubeSampler = cubeSampler_;
@@ -95,7 +103,9 @@ DecalBindings FrameRenderer::bindDecals(const FrameInput& input, const FrameOutp
 Result<ImageId> FrameRenderer::planFog(const FrameInput& input, const LightingBindings& lighting,
                                        ImageId radiance, ImageId depth) {
     if (!(input.lighting.fog.density > 0)) return ImageId{};
-    const auto fog = fogPass_.add(plan_, {lighting, fogGrid_});
+    LightingBindings around = lighting;
+    around.features.reflectionProbes = false;  // air mirrors nothing
+    const auto fog = fogPass_.add(plan_, {around, fogGrid_});
     if (!fog) return tl::unexpected(fog.error());
     const auto applied = fogPass_.apply(
         plan_, {fog->fog, radiance, depth, lighting.uniforms, lighting.features.orthographic});

@@ -13,7 +13,8 @@ Result<ImageId> FrameRenderer::planAmbientOcclusion(const FrameInput& input,
     const bool shown = settings.show == ShownImage::ambientOcclusion;
     const bool needed = settings.ambientOcclusion != AmbientOcclusion::off &&
                         (lighting.features.environment || lighting.features.hemisphere ||
-                         lighting.features.irradianceVolume);
+                         lighting.features.irradianceVolume ||
+                         lighting.features.reflectionProbes);
     if (!shown && !needed) return ImageId{};
     GtaoPass::Inputs in;
     in.gbuffer = gbuffer;

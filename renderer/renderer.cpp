@@ -3,6 +3,7 @@
 #include "renderer/backend/gl/gl_device.h"
 #include "renderer/backend/null/null_device.h"
 #include "renderer/backend/threaded_device.h"
+#include "renderer/capture_cube.h"
 #include "renderer/frame_renderer.h"
 
 #include <algorithm>
@@ -19,9 +20,12 @@ struct Renderer::State {
     ThreadedDevice* threaded = nullptr;  // `device`, in the render-thread mode
     std::atomic<bool> used{false};
     SerialJobs serialJobs;
+    JobSystem* hostJobs = nullptr;
     std::unique_ptr<FrameRenderer> frames;
     uint32_t lastTicket = 0;
     ReadbackImage readback;
+
+    JobSystem& jobs() { return hostJobs ? *hostJobs : serialJobs; }
 };
 
 namespace {
@@ -128,8 +132,8 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const RendererDesc& desc) {
         state->threaded = threaded.get();
         state->device = std::move(threaded);
     }
-    JobSystem& jobs = desc.jobs ? *desc.jobs : state->serialJobs;
-    state->frames = std::make_unique<FrameRenderer>(*state->device, jobs, desc.log,
+    state->hostJobs = desc.jobs;
+    state->frames = std::make_unique<FrameRenderer>(*state->device, state->jobs(), desc.log,
                                                     desc.cacheDirectory);
     state->frames->setValidation(desc.validateCommands.value_or(kDebugBuild));
     return std::unique_ptr<Renderer>(new Renderer(std::move(state)));
@@ -172,6 +176,51 @@ Result<EnvironmentHandle> Renderer::createEnvironment(const EnvironmentDesc& des
     const Use use(*state_);
     if (!use) return use.error();
     return state_->frames->environments.create(desc);
+}
+Result<EnvironmentHandle> Renderer::createPrefilteredEnvironment(
+    const PrefilteredEnvironmentDesc& desc) {
+    const Use use(*state_);
+    if (!use) return use.error();
+    const auto converted = convertPrefiltered(desc, state_->jobs());
+    if (!converted) return tl::unexpected(converted.error());
+    return state_->frames->environments.create(*converted);
+}
+Result<PrefilteredEnvironment> Renderer::capture(const FrameInput& input, const vec3& position,
+                                                 const CaptureDesc& desc) {
+    const auto render = [&](const FrameInput& face, uint32_t size,
+                            CapturedImage& image) -> Result<void> {
+        const auto ticket = renderOffscreen(face, size, size, CaptureKind::hdr, {.timers = false});
+        if (!ticket) return tl::unexpected(ticket.error());
+        if (!takeCapture(*ticket, true, image))
+            return fail("capture of an environment", "the context was lost.", ErrorKind::noContext);
+        return {};
+    };
+    auto cube = captureCube(input, position, desc, render);
+    if (!cube) return tl::unexpected(cube.error());
+    return prefilterCube(std::move(*cube), state_->jobs());
+}
+Result<EnvironmentHandle> Renderer::captureEnvironment(const FrameInput& input,
+                                                       const vec3& position,
+                                                       const CaptureDesc& desc) {
+    const auto captured = capture(input, position, desc);
+    if (!captured) return tl::unexpected(captured.error());
+    const Use use(*state_);
+    if (!use) return use.error();
+    return state_->frames->environments.create(*captured);
+}
+Result<void> Renderer::recaptureEnvironment(EnvironmentHandle environment, const FrameInput& input,
+                                            const vec3& position, const CaptureDesc& desc) {
+    {
+        const Use use(*state_);
+        if (!use) return use.error();
+        if (!state_->frames->environments.find(environment))
+            return fail("environment", "the handle is stale or none.", ErrorKind::wrongUse);
+    }
+    const auto captured = capture(input, position, desc);
+    if (!captured) return tl::unexpected(captured.error());
+    const Use use(*state_);
+    if (!use) return use.error();
+    return state_->frames->environments.update(environment, *captured);
 }
 Result<DecalMaterialHandle> Renderer::createDecalMaterial(const DecalMaterialDesc& desc) {
     const Use use(*state_);

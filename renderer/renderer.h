@@ -24,6 +24,8 @@ namespace rushlight {
 
 using GlLoadFunction = void* (*)(const char* name);
 
+struct PrefilteredEnvironment;
+
 struct RendererDesc {
     /// Returns the address of a GL function, as glfwGetProcAddress and eglGetProcAddress do. Null: the null backend,
     /// which accepts and counts everything and draws nothing.
@@ -85,6 +87,17 @@ public:
     Result<MaterialHandle> createMaterial(const MaterialDesc&);
     Result<void> updateMaterial(MaterialHandle, const MaterialDesc&);
     Result<EnvironmentHandle> createEnvironment(const EnvironmentDesc&);
+    Result<EnvironmentHandle> createPrefilteredEnvironment(const PrefilteredEnvironmentDesc&);
+    /// The scene around a place as an environment, as for Lighting::reflectionProbes: six frames into images of the
+    /// renderer's own, read back and prefiltered. Of `input` the view is not used, and what hangs on a view is off
+    /// (reflections of the screen, the sun's disk, whose light is in the highlights, and overlays); an environment is the
+    /// background. Its own reflectionProbes are mirrored as given: none for a first bounce, the first's for a second. Slow: for loading, or to be
+    /// spread by the host. Wrong input is an Error as in render; as frames, captures move the worlds' previous transforms.
+    Result<EnvironmentHandle> captureEnvironment(const FrameInput&, const vec3& position,
+                                                 const CaptureDesc& = {});
+    /// Anew, under the same handle. After an Error the old one stays.
+    Result<void> recaptureEnvironment(EnvironmentHandle, const FrameInput&, const vec3& position,
+                                      const CaptureDesc& = {});
     Result<DecalMaterialHandle> createDecalMaterial(const DecalMaterialDesc&);
     Result<LightProfileHandle> createLightProfile(const LightProfileDesc&);
     Result<LightCookieHandle> createLightCookie(const LightCookieDesc&);
@@ -158,6 +171,8 @@ public:
     std::vector<std::string> takeDebugMessages();
 
 private:
+    Result<PrefilteredEnvironment> capture(const FrameInput&, const vec3& position,
+                                           const CaptureDesc&);
     struct State;
     class Use;
     explicit Renderer(std::unique_ptr<State>);

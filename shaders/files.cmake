@@ -23,6 +23,7 @@ set(RUSHLIGHT_SHADER_FILES
   common/local_light.glsl
   common/material.glsl
   common/punctual_shadow.glsl
+  common/reflection_probes.glsl
   common/second_suns.glsl
   common/shadow_faces.glsl
   common/shadow_filter.glsl
@@ -39,6 +40,7 @@ set(RUSHLIGHT_SHADER_FILES
   interop/irradiance_volume.h
   interop/light_patterns.h
   interop/occlusion_arc.h
+  interop/reflection_probe.h
   interop/screen_uniforms.h
   interop/ltc.h
   interop/surface_flags.h

@@ -60,6 +60,10 @@ private:
     void buildNodeLight(int node, const tinygltf::Node& source);
     bool readLightExtras(Light& light, const tinygltf::Value& extras);
     void useProfile(Light& light, int profile, bool itsCandela);
+    // gltf_surroundings.cpp
+    void buildReflectionProbe(size_t node, const tinygltf::Value& extras);
+    void buildImageBasedLight();
+    void readFace(ImageBasedLight& light, uint32_t level, int image);
 
     // gltf_animation.cpp
     void buildSkins();

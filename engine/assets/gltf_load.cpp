@@ -27,6 +27,7 @@ Model GltfBuilder::build() {
     buildLights();
     buildNodes();
     buildScene();
+    buildImageBasedLight();
     buildSkins();
     checkSkinnedNodes();
     buildAnimations();

@@ -41,6 +41,7 @@ void GltfBuilder::buildNodes() {
         node.children = source.children;
         for (int child : source.children) model_.nodes[size_t(child)].parent = int(i);
         readTransform(node, source);
+        buildReflectionProbe(i, source.extras);
         node.mesh = source.mesh;
         node.skin = source.skin;
         node.camera = source.camera;

@@ -15,11 +15,11 @@ constexpr std::array<const char*, 13> kArrays = {
     "meshes",    "nodes",      "samplers", "scenes",     "skins",    "textures"};
 
 /// What loadModel does, exactly or as far as the picture is concerned; anything else required is refused.
-constexpr std::array<std::string_view, 9> kSupported = {
+constexpr std::array<std::string_view, 10> kSupported = {
     "KHR_lights_punctual",   "KHR_texture_transform", "KHR_materials_emissive_strength",
     "KHR_materials_unlit",   "KHR_mesh_quantization", "EXT_texture_webp",
-    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
-    "EXT_lights_ies"};
+    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "EXT_lights_ies",
+    "EXT_lights_image_based"};
 
 void checkAsset(const JsonObject& root) {
     const JsonObject asset(*root.object("asset", Need::required), "asset");
@@ -106,6 +106,7 @@ void checkScenes(const Counts& counts, const JsonObject& root, const std::vector
     root.index("scene", counts.scenes);
     forEach(root, "scenes", "scene", [&](const JsonObject& scene) {
         scene.indices("nodes", counts.nodes);
+        checkImageBasedLightOf(scene, counts.imageBasedLights);
         for (const Json& node : scene.json().value("nodes", Json::array()))
             if (parent[node.get<size_t>()] >= 0)
                 scene.wrong("its node " + node.dump() + " is no root: node " +
@@ -148,6 +149,7 @@ void checkSchema(const Json& gltf) {
     Counts counts = countArrays(root);
     counts.lightProfiles = checkLightProfiles(counts, root);
     counts.lights = checkLights(counts, root);
+    counts.imageBasedLights = checkImageBasedLights(counts, root);
     checkBuffers(counts, root);
     checkAccessors(counts, root);
     checkTextures(counts, root);

@@ -8,7 +8,7 @@ namespace rushlight::assets {
 /// How many of each there are, for references.
 struct Counts {
     size_t accessors = 0, buffers = 0, bufferViews = 0, cameras = 0, images = 0, lights = 0;
-    size_t lightProfiles = 0;
+    size_t lightProfiles = 0, imageBasedLights = 0;
     size_t materials = 0, meshes = 0, nodes = 0, samplers = 0, scenes = 0, skins = 0, textures = 0;
 };
 
@@ -35,6 +35,9 @@ size_t checkLights(const Counts& counts, const JsonObject& root);  ///< how many
 size_t checkLightProfiles(const Counts& counts, const JsonObject& root);  ///< how many there are
 void checkNodeProfile(const Counts& counts, const JsonObject& node);
 void checkLightExtras(const Counts& counts, const JsonObject& owner);
+size_t checkImageBasedLights(const Counts& counts, const JsonObject& root);  ///< how many there are
+void checkImageBasedLightOf(const JsonObject& scene, size_t lights);
+void checkReflectionProbe(const JsonObject& node);
 void checkNodes(const Counts& counts, const JsonObject& root);
 void checkSkins(const Counts& counts, const JsonObject& root);
 void checkAnimations(const Counts& counts, const JsonObject& root);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -165,6 +166,32 @@ struct Light {
     int cookie = -1;   ///< Model::images: upright about +y for who looks along -z
 };
 
+/// EXT_lights_image_based: what is around the scene. As a cube map of OpenGL, whose faces are +x -x +y -y +z -z.
+struct ImageBasedLight {
+    std::string name;
+    quat rotation{1, 0, 0, 0};  ///< from the light's space to the world's
+    float intensity = 1;        ///< a factor on all of it
+    /// Of irradiance, in the real harmonics of Ramamoorthi and Hanrahan 2001 (none of them with a sign of its own):
+    /// 1; y, z, x; xy, yz, 3z²-1, xz, x²-y².
+    std::array<vec3, 9> irradiance{};
+    uint32_t size = 0;    ///< texels along a face of level 0; a power of two
+    uint32_t levels = 0;  ///< level i is blurred by the roughness i / (levels - 1) and half as large as the one before
+    std::vector<vec3> texels;  ///< linear radiance; level by level, in it face by face, rows from t = 0
+};
+
+/// Of a node's extras: { "rushlight_reflection_probe": { "size": [x, y, z], "offset", "blend", "intensity",
+/// "resolution" } }. The light is captured where the node is, for a box that is turned as the node is.
+struct ReflectionProbe {
+    int node = -1;
+    vec3 size{1};    ///< metres of the box along the node's axes, before its scale
+    vec3 offset{0};  ///< of the box's middle from the node
+    /// Metres within the box over which its influence rises. In the file a single number is that of x and z: a floor
+    /// is wholly in its room.
+    vec3 blend{0};
+    float intensity = 1;
+    uint32_t resolution = 256;  ///< pixels along a captured face; a power of two
+};
+
 struct Skin {
     std::string name;
     std::vector<int> joints;               ///< nodes
@@ -207,6 +234,8 @@ struct Model {
     std::vector<Camera> cameras;
     std::vector<Light> lights;
     std::vector<LightProfile> lightProfiles;
+    std::optional<ImageBasedLight> imageBasedLight;  ///< of the scene to show
+    std::vector<ReflectionProbe> reflectionProbes;
     std::vector<Skin> skins;
     std::vector<Animation> animations;
     Fidelity fidelity;

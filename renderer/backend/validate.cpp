@@ -30,14 +30,18 @@ Result<void> validate(const TextureDesc& desc, const DeviceLimits& limits) {
     if (desc.width == 0 || desc.height == 0)
         return refuse(desc.label, "A texture of " + sizeText(desc) +
                                       " texels cannot be made; both sides must be at least 1.");
-    const bool cube = desc.kind == TextureKind::cube;
+    const bool cubes = desc.kind == TextureKind::cubeArray;
+    const bool cube = desc.kind == TextureKind::cube || cubes;
     const uint32_t limit = cube ? limits.cubeSize : limits.textureSize;
     if (desc.width > limit || desc.height > limit)
         return refuse(desc.label, "A texture of " + sizeText(desc) +
                                       " texels is over the limit of " + std::to_string(limit) +
                                       " texels a side.");
-    if (cube && (desc.layers != 6 || desc.width != desc.height))
-        return refuse(desc.label, "A cube texture needs 6 square layers, not " +
+    const bool whole = cubes ? desc.layers > 0 && desc.layers % 6 == 0 : desc.layers == 6;
+    if (cube && (!whole || desc.width != desc.height))
+        return refuse(desc.label, std::string(cubes ? "An array of cube textures needs 6 square layers for each"
+                                                    : "A cube texture needs 6 square layers") +
+                                      ", not " +
                                       std::to_string(desc.layers) + " of " + sizeText(desc) + ".");
     if (desc.kind == TextureKind::texture2d && desc.layers != 1)
         return refuse(desc.label, "A 2D texture has 1 layer, not " +

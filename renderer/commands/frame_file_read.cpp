@@ -165,7 +165,7 @@ private:
         SavedTexture texture;
         texture.label = in_.text();
         TextureDesc& d = texture.desc;
-        d.kind = in_.choice(TextureKind::cube, "a texture's kind");
+        d.kind = in_.choice(TextureKind::cubeArray, "a texture's kind");
         d.format = in_.choice(Format::depth16, "a texture's format");
         if (d.format == Format::none) in_.refuse(quoted(texture.label) + " has no format");
         d.width = in_.size(kMaxSide, "a texture's width");

@@ -14,6 +14,7 @@ enum class SampledAs : uint8_t {
     texture2d,
     texture2dArray,
     cube,
+    cubeArray,
     floatTexels,    ///< samplerBuffer
     integerTexels,  ///< usamplerBuffer
     other,          ///< of a kind that no command binds

@@ -52,7 +52,7 @@ constexpr uint32_t mipSize(uint32_t size, uint32_t level) {
     return shifted ? shifted : 1;
 }
 
-enum class TextureKind : uint8_t { texture2d, texture2dArray, cube };
+enum class TextureKind : uint8_t { texture2d, texture2dArray, cube, cubeArray };
 
 struct TextureDesc {
     std::string_view label;  ///< shown in debuggers and messages; copied
@@ -60,7 +60,7 @@ struct TextureDesc {
     Format format = Format::rgba8;
     uint32_t width = 1;
     uint32_t height = 1;
-    uint32_t layers = 1;  ///< array layers; 6 for a cube
+    uint32_t layers = 1;  ///< array layers; 6 for a cube, 6 for each of a cube array
     uint32_t mipLevels = 1;
 };
 

@@ -34,6 +34,7 @@ SampledAs sampledAs(TextureKind kind) {
         case TextureKind::texture2d: return SampledAs::texture2d;
         case TextureKind::texture2dArray: return SampledAs::texture2dArray;
         case TextureKind::cube: return SampledAs::cube;
+        case TextureKind::cubeArray: return SampledAs::cubeArray;
     }
     return SampledAs::other;
 }

@@ -112,4 +112,19 @@ CubeLevel halveCube(const CubeLevel& source, JobSystem& jobs) {
     return result;
 }
 
+CubeLevel resizeCube(const CubeLevel& source, uint32_t size, JobSystem& jobs) {
+    CubeLevel result(size);
+    const float scale = 2.0f / float(size);
+    jobs.forRanges(6 * size, 16, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t row = begin; row < end; ++row) {
+            const uint32_t face = row / size, y = row % size;
+            for (uint32_t x = 0; x < size; ++x)
+                result.at(face, x, y) = source.sample(cubeDirection(
+                    face, (float(x) + 0.5f) * scale - 1, (float(y) + 0.5f) * scale - 1));
+        }
+    });
+    result.fillBorders();
+    return result;
+}
+
 }  // namespace rushlight

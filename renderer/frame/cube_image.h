@@ -54,4 +54,7 @@ private:
 /// Half the size, each texel the average of four by solid angle: the energy stays.
 CubeLevel halveCube(const CubeLevel& source, JobSystem& jobs);
 
+/// Bilinear samples: for enlarging.
+CubeLevel resizeCube(const CubeLevel& source, uint32_t size, JobSystem& jobs);
+
 }  // namespace rushlight

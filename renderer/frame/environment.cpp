@@ -132,9 +132,9 @@ void filterIrradiance(const CubeLevel& source, uint16_t* out, JobSystem& jobs) {
     });
 }
 
-std::vector<CubeLevel> makeChain(const Equirect& source, uint32_t size, JobSystem& jobs) {
+std::vector<CubeLevel> makeChain(CubeLevel source, JobSystem& jobs) {
     std::vector<CubeLevel> chain;
-    chain.push_back(projectToCube(source, size, jobs));
+    chain.push_back(std::move(source));
     while (chain.back().size() > 1) chain.push_back(halveCube(chain.back(), jobs));
     return chain;
 }
@@ -180,25 +180,38 @@ Result<PrefilteredEnvironment> prefilterEnvironment(const EnvironmentDesc& desc,
     // A face of width / 4 texels has the source's resolution; twice that keeps it sharp under bilinear filtering.
     const uint32_t wanted = std::bit_ceil(std::max(source.width / 4, 1u)) * 2;
     const uint32_t backgroundSize = std::clamp(wanted, kEnvironmentSize, kMaxBackgroundSize);
-    const std::vector<CubeLevel> chain = makeChain(source, backgroundSize, jobs);
+    return prefilterCube(projectToCube(source, backgroundSize, jobs), jobs);
+}
+
+PrefilteredEnvironment prefilterCube(CubeLevel source, JobSystem& jobs) {
+    const uint32_t size = source.size();
+    RL_CHECK(std::has_single_bit(size), "a cube's size is a power of two");
+    const std::vector<CubeLevel> chain =
+        makeChain(size < kEnvironmentSize ? resizeCube(source, kEnvironmentSize, jobs)
+                                          : std::move(source),
+                  jobs);
+    const uint32_t sourceSize = chain[0].size();
+    const uint32_t backgroundSize = std::min(sourceSize, kMaxBackgroundSize);
+    const auto levelOf = [&](uint32_t wanted) -> const CubeLevel& {
+        return chain[size_t(std::countr_zero(sourceSize / wanted))];
+    };
 
     PrefilteredEnvironment result;
     result.irradiance = {kIrradianceSize, 1, {}};
     result.irradiance.halves.resize(CubeTexels::halfCount(kIrradianceSize, 1));
-    filterIrradiance(chain[std::countr_zero(backgroundSize / (2 * kIrradianceSize))],
-                     result.irradiance.halves.data(), jobs);
+    filterIrradiance(levelOf(2 * kIrradianceSize), result.irradiance.halves.data(), jobs);
     result.background = {backgroundSize, 1, {}};
     result.background.halves.resize(CubeTexels::halfCount(backgroundSize, 1));
-    storeLevel(chain[0], result.background.halves.data());
+    storeLevel(levelOf(backgroundSize), result.background.halves.data());
 
     CubeTexels& specular = result.specular;
     specular = {kEnvironmentSize, kEnvironmentLevels, {}};
     specular.halves.resize(CubeTexels::halfCount(kEnvironmentSize, kEnvironmentLevels));
-    storeLevel(chain[std::countr_zero(backgroundSize / kEnvironmentSize)], specular.halves.data());
+    storeLevel(levelOf(kEnvironmentSize), specular.halves.data());
     for (uint32_t level = 1; level < kEnvironmentLevels; ++level) {
         const float roughness = float(level) / float(kEnvironmentLevels - 1);
         const auto lobe =
-            makeLobe(roughness, kSamples[level], backgroundSize, uint32_t(chain.size()));
+            makeLobe(roughness, kSamples[level], sourceSize, uint32_t(chain.size()));
         filterLevel(chain, lobe, specular.levelSize(level),
                     specular.halves.data() + CubeTexels::halfCount(kEnvironmentSize, level), jobs);
     }

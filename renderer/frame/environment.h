@@ -3,6 +3,7 @@
 
 #include "engine/core/jobs.h"
 #include "engine/core/result.h"
+#include "renderer/frame/cube_image.h"
 #include "renderer/frame/frame_input.h"
 
 #include <cstdint>
@@ -44,5 +45,14 @@ uint64_t environmentHash(const EnvironmentDesc& desc);
 /// Fails when a side is zero or over 16,384, or when `pixels` is not width * height long. Texels that are negative or
 /// not finite count as black.
 Result<PrefilteredEnvironment> prefilterEnvironment(const EnvironmentDesc& desc, JobSystem& jobs);
+
+/// The same of a cube of finite radiance, whose side is a power of two and whose borders are filled. Its background has
+/// that side too, but at least kEnvironmentSize and at most kMaxBackgroundSize.
+PrefilteredEnvironment prefilterCube(CubeLevel source, JobSystem& jobs);
+
+/// Fails when the size, the levels and the number of texels do not fit each other. Texels that are negative or not
+/// finite count as black.
+Result<PrefilteredEnvironment> convertPrefiltered(const PrefilteredEnvironmentDesc& desc,
+                                                  JobSystem& jobs);
 
 }  // namespace rushlight

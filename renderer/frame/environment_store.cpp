@@ -46,18 +46,41 @@ EnvironmentStore::~EnvironmentStore() {
 Result<EnvironmentHandle> EnvironmentStore::create(const EnvironmentDesc& desc) {
     auto prefiltered = prefilterEnvironmentCached(desc, cacheDirectory_, jobs_, log_);
     if (!prefiltered) return tl::unexpected(prefiltered.error());
+    return create(*prefiltered);
+}
+
+Result<EnvironmentHandle> EnvironmentStore::create(const PrefilteredEnvironment& prefiltered) {
+    const auto environment = upload(prefiltered);
+    if (!environment) return tl::unexpected(environment.error());
+    return environments_.insert(*environment);
+}
+
+Result<void> EnvironmentStore::update(EnvironmentHandle handle,
+                                      const PrefilteredEnvironment& prefiltered) {
+    GpuEnvironment* environment = environments_.find(handle);
+    if (!environment)
+        return fail("environment", "the handle is stale or none.", ErrorKind::wrongUse);
+    const auto made = upload(prefiltered);
+    if (!made) return tl::unexpected(made.error());
+    destroyTextures(*environment);
+    *environment = *made;
+    return {};
+}
+
+Result<GpuEnvironment> EnvironmentStore::upload(const PrefilteredEnvironment& prefiltered) {
     GpuEnvironment environment;
+    environment.content = ++contents_;
     const auto upload = [&](const char* label, const CubeTexels& cube, TextureHandle& texture) {
         auto uploaded = uploadCube(label, cube);
         if (uploaded) texture = *uploaded;
         return uploaded;
     };
-    auto step = upload("environment-irradiance", prefiltered->irradiance, environment.irradiance);
-    if (step) step = upload("environment-specular", prefiltered->specular, environment.specular);
+    auto step = upload("environment-irradiance", prefiltered.irradiance, environment.irradiance);
+    if (step) step = upload("environment-specular", prefiltered.specular, environment.specular);
     if (step)
-        step = upload("environment-background", prefiltered->background, environment.background);
-    environment.bands = bandsOf(prefiltered->irradiance);
-    if (step) return environments_.insert(environment);
+        step = upload("environment-background", prefiltered.background, environment.background);
+    environment.bands = bandsOf(prefiltered.irradiance);
+    if (step) return environment;
     destroyTextures(environment);
     return tl::unexpected(step.error());
 }

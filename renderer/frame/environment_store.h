@@ -16,6 +16,7 @@ struct GpuEnvironment {
     TextureHandle background;  ///< sharp cube, RGBA16F
     /// In two bands, by colour: x: mean radiance, yzw: mean of radiance times direction.
     std::array<vec4, 3> bands{};
+    uint64_t content = 0;  ///< another number for all that is made or made anew; never 0
 };
 
 /// Prefilters environments (or takes them from the cache on disk) and holds their cubes and the BRDF table.
@@ -27,6 +28,9 @@ public:
     EnvironmentStore& operator=(const EnvironmentStore&) = delete;
 
     Result<EnvironmentHandle> create(const EnvironmentDesc&);
+    Result<EnvironmentHandle> create(const PrefilteredEnvironment&);
+    /// Other light under the same handle. After an Error the old one stays.
+    Result<void> update(EnvironmentHandle, const PrefilteredEnvironment&);
     void destroy(EnvironmentHandle);
     const GpuEnvironment* find(EnvironmentHandle environment) const {
         return environments_.find(environment);
@@ -38,6 +42,7 @@ public:
 
 private:
     Result<TextureHandle> uploadCube(const char* label, const CubeTexels&);
+    Result<GpuEnvironment> upload(const PrefilteredEnvironment&);
     void destroyTextures(const GpuEnvironment&);
 
     Device& device_;
@@ -45,6 +50,7 @@ private:
     LogSink log_;
     std::string cacheDirectory_;
     Pool<GpuEnvironment, EnvironmentTag> environments_;
+    uint64_t contents_ = 0;
     TextureHandle brdfTable_;
     TextureHandle ltcTable_;
 };

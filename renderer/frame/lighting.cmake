@@ -5,10 +5,12 @@ add_library(rushlight_lighting STATIC
   cube_image.cpp
   environment.cpp
   environment_cache.cpp
+  environment_import.cpp
   equirect.cpp
   irradiance_file.cpp
   irradiance_volume.cpp
   light_patterns.cpp
+  reflection_probes.cpp
   sky.cpp
   ltc_fit.cpp
   ltc_lookup.cpp

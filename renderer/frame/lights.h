@@ -2,6 +2,7 @@
 // The light of one frame. Radiometric units are photometric ones times a colour; linear Rec.709.
 
 #include "renderer/frame/light_patterns.h"
+#include "renderer/frame/reflection_probes.h"
 #include "renderer/frame/resource_descs.h"
 
 namespace rushlight {
@@ -82,6 +83,7 @@ struct Lighting {
     /// Indirect light and the sky as seen from within the scene, in place of the unhidden environment or hemisphere,
     /// which begin a cell beyond it. To be baked under the same lights and environment as are given here.
     IrradianceVolumeHandle irradianceVolume;
+    std::span<const ReflectionProbe> reflectionProbes;  ///< at most kMaxReflectionProbes
     Background background = Background::color;
     vec3 backgroundColor{0};  ///< linear radiance; not tone mapped to anything else than the surfaces are
     SunDisk sunDisk;

@@ -4,6 +4,7 @@
 #include "engine/core/math.h"
 #include "renderer/commands/resources.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -76,6 +77,20 @@ struct EnvironmentDesc {
     uint32_t width = 0;
     uint32_t height = 0;
     std::span<const vec3> pixels;
+};
+
+/// A cube map (OpenGL's faces and orientation) that is blurred already. Copied. An environment's levels are of evenly
+/// spaced roughness from 0 to 1: of six, level i is that of i / 5; these may be of another number, evenly spaced too.
+/// A single one is taken to be sharp and is prefiltered.
+struct PrefilteredEnvironmentDesc {
+    std::string_view label;
+    uint32_t size = 0;    ///< texels along a face of level 0; a power of two up to 4,096
+    uint32_t levels = 0;  ///< each of half the size of the one before
+    std::span<const vec3> texels;  ///< radiance; level by level, in it face by face, rows from t = 0
+    /// Spherical harmonics of irradiance, real, without signs of their own: 1; y, z, x; xy, yz, 3z²-1, xz, x²-y²
+    /// (Ramamoorthi and Hanrahan 2001).
+    std::array<vec3, 9> irradiance{};
+    quat rotation{1, 0, 0, 0};  ///< from its space to the world's
 };
 
 }  // namespace rushlight

@@ -59,6 +59,7 @@ void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) con
     else if (hemisphere) defines.push_back("HEMISPHERE");
     if (orthographic) defines.push_back("ORTHOGRAPHIC");
     if (irradianceVolume) defines.push_back("IRRADIANCE_VOLUME");
+    if (reflectionProbes) defines.push_back("REFLECTION_PROBES");
 }
 
 void LightingBindings::record(PassContext& context) const {
@@ -83,6 +84,14 @@ void LightingBindings::record(PassContext& context) const {
         commands.push(BindTexture{RL_TEXTURE_ENVIRONMENT, environment, cubeSampler});
         if (!features.irradianceVolume)
             commands.push(BindTexture{RL_TEXTURE_IRRADIANCE, irradiance, cubeSampler});
+    }
+    if (features.reflectionProbes) {
+        commands.push(BindTexture{RL_TEXTURE_REFLECTION_CUBES, reflectionCubes, cubeSampler});
+        if (!features.irradianceVolume)
+            commands.push(BindTexture{RL_TEXTURE_REFLECTION_IRRADIANCE, reflectionIrradiance,
+                                      cubeSampler});
+        commands.push(
+            BindTexelBuffer{RL_TEXTURE_REFLECTION_RECORDS, Format::rgba32f, {}, reflectionRecords});
     }
     if (features.areaLights)
         commands.push(BindTexture{RL_TEXTURE_LTC, ltcTable, linearSampler});

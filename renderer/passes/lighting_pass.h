@@ -27,6 +27,7 @@ struct LightingFeatures {
     bool orthographic = false;
     bool irradianceVolume = false;  ///< the environment's irradiance, or the hemisphere, is not read then
 
+    bool reflectionProbes = false;  ///< before the environment, the hemisphere or the irradiance volume
     bool areaLights = false;       ///< LightClass::area
     bool areaShadow = false;       ///< some of them have shadow records
     bool clusteredLights() const { return plainLights || modulatedLights || areaLights; }
@@ -55,6 +56,8 @@ struct LightingBindings {
     SamplerHandle linearSampler;
     TextureHandle probeDistances;  ///< with an irradiance volume
     BufferRange probeRecords;
+    TextureHandle reflectionCubes, reflectionIrradiance;  ///< with reflection probes: arrays
+    BufferRange reflectionRecords;
 
     void record(PassContext& context) const;
     /// The irradiance volume itself, for passes that look it up.

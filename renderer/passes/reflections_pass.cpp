@@ -34,7 +34,8 @@ Result<PipelineHandle> ReflectionsPass::findComposite(const Inputs& inputs) {
     const uint32_t features = uint32_t(lit.environment) | uint32_t(lit.hemisphere) << 1 |
                               uint32_t(lit.orthographic) << 2 |
                               uint32_t(bool(inputs.ambientOcclusion)) << 3 |
-                              uint32_t(inputs.alone) << 4 | uint32_t(lit.irradianceVolume) << 5;
+                              uint32_t(inputs.alone) << 4 | uint32_t(lit.irradianceVolume) << 5 |
+                              uint32_t(lit.reflectionProbes) << 6;
     for (const Composite& known : composites_)
         if (known.features == features) return known.pipeline;
     LightingFeatures ambient;  // of lighting's, what the mirrored environment needs
@@ -42,6 +43,7 @@ Result<PipelineHandle> ReflectionsPass::findComposite(const Inputs& inputs) {
     ambient.hemisphere = lit.hemisphere;
     ambient.orthographic = lit.orthographic;
     ambient.irradianceVolume = lit.irradianceVolume;
+    ambient.reflectionProbes = lit.reflectionProbes;
     std::vector<std::string_view> defines;
     ambient.appendDefines(defines);
     if (inputs.ambientOcclusion) defines.push_back("AMBIENT_OCCLUSION");

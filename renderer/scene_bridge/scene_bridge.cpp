@@ -6,6 +6,7 @@
 #include "renderer/scene_bridge/light_uploads.h"
 #include "renderer/scene_bridge/materials.h"
 #include "renderer/scene_bridge/scene_lights.h"
+#include "renderer/scene_bridge/scene_surroundings.h"
 
 #include <algorithm>
 
@@ -31,6 +32,7 @@ struct SceneBridge::State {
     State(Renderer& r, const assets::Model& m) : renderer(r), model(m), materials(r, m), uploads(r, m) {}
     ~State() {
         for (MeshHandle mesh : meshes) renderer.destroy(mesh);
+        for (EnvironmentHandle captured : environments) renderer.destroy(captured);
     }
 
     Result<void> addInstances();
@@ -41,6 +43,9 @@ struct SceneBridge::State {
     Result<void> describeMeshes(ResourceSink&);
     void move(size_t instance, const mat4x3& to);
     Result<void> setPose(scene::Pose);
+    void placeProbes();
+    Result<void> captureFirst(const FrameInput& seen);
+    Result<void> captureAgain(const FrameInput& seen);
 
     Renderer& renderer;
     const assets::Model& model;
@@ -59,6 +64,9 @@ struct SceneBridge::State {
     std::vector<mat4x3> previousTransforms;  ///< as `instances`
     SceneLights lights;
     std::vector<std::string> notes;
+    std::vector<ReflectionProbe> probes;  ///< where nodes have them
+    std::vector<CaptureDesc> captures;    ///< as `probes`
+    std::vector<EnvironmentHandle> environments;  ///< as `probes`; empty: not captured yet
     scene::DeformedVertices scratch;
 };
 
@@ -156,7 +164,18 @@ Result<void> SceneBridge::State::setPose(scene::Pose pose) {
         move(i, drawables[i].worldFromLocal);
     }
     lights = lightsOf(model, uploads, nodes, now.worldFromNode, notes);
+    placeProbes();
     return {};
+}
+
+// A probe that an animation scales to nothing, or back, changes their number; then they are to be captured anew.
+void SceneBridge::State::placeProbes() {
+    probes = reflectionProbesOf(model, nodes, now.worldFromNode, captures, notes);
+    if (environments.size() != probes.size()) {
+        for (EnvironmentHandle captured : environments) renderer.destroy(captured);
+        environments.clear();
+    }
+    for (size_t i = 0; i < environments.size(); ++i) probes[i].environment = environments[i];
 }
 
 SceneBridge::SceneBridge(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -186,6 +205,7 @@ void SceneBridge::fill(FrameInput& input) const {
     input.previousTransforms = state_->previousTransforms;
     input.lighting.directional = state_->lights.directional;
     input.lighting.punctual = state_->lights.punctual;
+    if (!state_->environments.empty()) input.lighting.reflectionProbes = state_->probes;
 }
 
 Result<void> SceneBridge::describe(ResourceSink& sink) const {
@@ -194,6 +214,43 @@ Result<void> SceneBridge::describe(ResourceSink& sink) const {
 }
 
 const LightPatternSet& SceneBridge::lightPatterns() const { return state_->uploads.patterns(); }
+Result<void> SceneBridge::State::captureFirst(const FrameInput& seen) {
+    std::vector<EnvironmentHandle> made;
+    for (size_t i = 0; i < probes.size(); ++i) {
+        const auto captured = renderer.captureEnvironment(seen, probes[i].position, captures[i]);
+        if (!captured) {
+            for (EnvironmentHandle environment : made) renderer.destroy(environment);
+            return tl::unexpected(captured.error());
+        }
+        made.push_back(*captured);
+    }
+    environments = std::move(made);
+    for (size_t i = 0; i < probes.size(); ++i) probes[i].environment = environments[i];
+    return {};
+}
+
+Result<void> SceneBridge::State::captureAgain(const FrameInput& seen) {
+    for (size_t i = 0; i < probes.size(); ++i)
+        if (auto done = renderer.recaptureEnvironment(environments[i], seen, probes[i].position,
+                                                      captures[i]);
+            !done)
+            return done;
+    return {};
+}
+
+// First as they are without any probes, then with the light that these give: what a mirror shows of a room would else be
+// darker than the room is.
+Result<void> SceneBridge::captureReflections(const FrameInput& input) {
+    State& s = *state_;
+    FrameInput seen = input;
+    seen.lighting.reflectionProbes = {};
+    const auto first = s.environments.empty() ? s.captureFirst(seen) : s.captureAgain(seen);
+    if (!first) return first;
+    seen.lighting.reflectionProbes = s.probes;
+    return s.captureAgain(seen);
+}
+
+bool SceneBridge::hasReflectionProbes() const { return !state_->probes.empty(); }
 
 bool SceneBridge::hasLights() const {
     return !state_->lights.directional.empty() || !state_->lights.punctual.empty();

@@ -27,7 +27,7 @@ public:
     /// when something changed.
     Result<void> pose(int animation, float seconds);
 
-    /// Fills the instances, previous transforms and lights. The spans are good until the next
+    /// Fills the instances, previous transforms, lights and captured reflection probes. The spans are good until the next
     /// pose().
     void fill(FrameInput& input) const;
 
@@ -37,6 +37,13 @@ public:
     bool hasLights() const;
     /// Profiles and cookies of its lights, for rays.
     const LightPatternSet& lightPatterns() const;
+
+    /// Captures the light around the nodes that have reflection probes, in the present pose, as `input` lights it: what
+    /// fill() gave, and what else a frame has. Before the first time fill() gives no probes; a later time captures anew.
+    /// Two bounces: each is captured twice, with six frames and a prefiltering.
+    Result<void> captureReflections(const FrameInput& input);
+    bool hasReflectionProbes() const;
+
     Aabb bounds() const;  ///< of all instances, world space; empty when nothing is shown
 
     /// The camera of Model::cameras in its pose; nothing when no shown node has it.

@@ -218,6 +218,11 @@ void addQualityOptions(CLI::App& app, RenderOptions& o) {
     app.add_option("--ao-radius", o.ambientOcclusionRadius, "Metres over which they do (1)")
         ->check(finiteNumber())
         ->check(CLI::PositiveNumber);
+    app.add_option_function<std::string>(
+           "--reflection-probes",
+           [&o](const std::string& text) { o.reflectionProbes = text == "on"; },
+           "Capture the file's reflection probes when it is loaded, and mirror them (on)")
+        ->check(CLI::IsMember({"on", "off"}));
     addSwitch(app, "--ssr", o.reflections, "Smooth surfaces mirror what the picture shows");
     addSwitch(app, "--bloom", o.bloom, "A glow around bright light");
     addSwitch(app, "--dither", o.dither, "Dither before 8 bit, against banding");

@@ -57,6 +57,7 @@ struct RenderOptions {
     ToneMap toneMap = ToneMap::neutral;
 
     std::string probes;  ///< a file, off, bake; empty: the file beside the scene, if there is one
+    bool reflectionProbes = true;  ///< those of the file are captured
     float probeSpacing = 0;  ///< metres; 0: chosen
     uint32_t probeSamples = 512;
 

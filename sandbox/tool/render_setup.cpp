@@ -3,6 +3,7 @@
 #include "engine/assets/gltf.h"
 #include "engine/jobs/tbb_jobs.h"
 #include "renderer/capture/image_files.h"
+#include "renderer/scene_bridge/scene_surroundings.h"
 #include "sandbox/tool/command.h"
 #include "sandbox/tool/probes.h"
 #include "sandbox/viewer/program_files.h"
@@ -13,6 +14,8 @@
 
 namespace rushlight::tool {
 namespace {
+
+constexpr uint32_t kBakedEnvironmentWidth = 1024;
 
 template <class Named>
 std::vector<std::string> namesOf(const std::vector<Named>& objects) {
@@ -45,6 +48,7 @@ Result<std::unique_ptr<RenderSetup>> RenderSetup::open(const RenderOptions& opti
     if (!step) return tl::unexpected(step.error());
     setup->chooseLights();
     if (step = setup->loadProbes(); !step) return tl::unexpected(step.error());
+    if (step = setup->captureReflections(); !step) return tl::unexpected(step.error());
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
     setup->loadMs_ = elapsed.count();
@@ -123,6 +127,8 @@ Result<void> RenderSetup::makeSkyEnvironment() {
 
 Result<void> RenderSetup::loadEnvironment() {
     if (options_.sky) return makeSkyEnvironment();
+    if (options_.environment.empty() && model_.imageBasedLight)
+        return useFileEnvironment(*model_.imageBasedLight);
     if (options_.environment.empty()) {
         if (options_.background != Background::environment) return {};
         return fail("--background environment",
@@ -137,6 +143,24 @@ Result<void> RenderSetup::loadEnvironment() {
     for (size_t i = 0; i < pixels.size(); ++i)
         pixels[i] = {picture->rgba[i * 4], picture->rgba[i * 4 + 1], picture->rgba[i * 4 + 2]};
     return useEnvironment({options_.environment, picture->width, picture->height, pixels});
+}
+
+Result<void> RenderSetup::useFileEnvironment(const assets::ImageBasedLight& light) {
+    if (options_.probes != "off" || !context_)
+        environmentPixels_ = equirectOf(light, kBakedEnvironmentWidth, environmentSize_);
+    fileIntensity_ = light.intensity;
+    hasEnvironment_ = true;
+    if (!context_) return {};
+    const auto created = renderer_->createPrefilteredEnvironment(environmentOf(light));
+    if (!created) return tl::unexpected(created.error());
+    environment_ = *created;
+    return {};
+}
+
+// With the light that the frames have; the probes' own light is left out of each other.
+Result<void> RenderSetup::captureReflections() {
+    if (!options_.reflectionProbes || !bridge_->hasReflectionProbes()) return {};
+    return bridge_->captureReflections(frame());
 }
 
 Result<void> RenderSetup::useEnvironment(const EnvironmentDesc& desc) {
@@ -261,7 +285,7 @@ FrameInput RenderSetup::frame() const {
     lighting.environment = environment_;
     lighting.irradianceVolume = probes_;
     lighting.environmentRotation = glm::radians(options_.environmentRotation);
-    lighting.environmentIntensity = options_.environmentIntensity;
+    lighting.environmentIntensity = options_.environmentIntensity * fileIntensity_;
     lighting.background =
         options_.background.value_or(environment_ ? Background::environment : Background::color);
     lighting.backgroundColor = options_.backgroundColor;

@@ -44,6 +44,8 @@ private:
     BakeLighting bakeLighting() const;
     Result<void> makeSkyEnvironment();
     Result<void> useEnvironment(const EnvironmentDesc&);
+    Result<void> useFileEnvironment(const assets::ImageBasedLight&);
+    Result<void> captureReflections();
     Result<void> chooseCamera();
     void chooseLights();
     View viewThatFrames(const Aabb& bounds) const;
@@ -59,6 +61,7 @@ private:
     EnvironmentHandle environment_;
     std::vector<vec3> environmentPixels_;  ///< kept where probes are baked or checked
     uvec2 environmentSize_{0};
+    float fileIntensity_ = 1;  ///< of the environment, where it is the file's
     IrradianceVolumeHandle probes_;
     std::optional<Sky> sky_;  ///< of --sky
     int animation_ = -1;

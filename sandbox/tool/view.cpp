@@ -29,6 +29,7 @@ ViewerOptions viewerOptions(const ViewArguments& arguments) {
     options.target = render.target;
     if (render.eye) options.verticalFov = glm::radians(render.verticalFov);
     options.environment = render.environment;
+    options.reflectionProbes = render.reflectionProbes;
     options.lighting.environmentRotation = glm::radians(render.environmentRotation);
     options.lighting.environmentIntensity = render.environmentIntensity;
     const vec3 plain(render.environment.empty() ? 0.3f : 0.0f);

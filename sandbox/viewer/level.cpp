@@ -106,6 +106,15 @@ std::span<const mat4x3> Level::previousTransforms() const {
 std::span<const DirectionalLight> Level::directionalLights() const {
     return scene_->frame.lighting.directional;
 }
+std::span<const ReflectionProbe> Level::reflectionProbes() const {
+    return scene_->frame.lighting.reflectionProbes;
+}
+Result<void> Level::captureReflections(const FrameInput& input) {
+    if (!scene_->bridge->hasReflectionProbes()) return {};
+    if (auto done = scene_->bridge->captureReflections(input); !done) return done;
+    scene_->refill();
+    return {};
+}
 std::span<PunctualLight> Level::punctualLights() { return scene_->punctual; }
 const std::string& Level::punctualName(size_t index) const { return scene_->punctualNames[index]; }
 Aabb Level::bounds() const { return scene_->bridge->bounds(); }

@@ -47,6 +47,10 @@ public:
     std::span<const mat4x3> previousTransforms() const;
     std::span<const DirectionalLight> directionalLights() const;
     std::span<PunctualLight> punctualLights();
+    /// Those of the file's nodes; none before captureReflections.
+    std::span<const ReflectionProbe> reflectionProbes() const;
+    /// Where the file has some: see SceneBridge::captureReflections.
+    Result<void> captureReflections(const FrameInput& input);
     /// The name of the node that carries a punctual light.
     const std::string& punctualName(size_t index) const;
     /// Made when first asked for: only who walks needs it.

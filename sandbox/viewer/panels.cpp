@@ -161,6 +161,8 @@ void drawSettings(ViewerSettings& settings, CameraRig& camera) {
         comboToneMap(frame);
         editExposure(frame);
         if (settings.hasEnvironment) ImGui::Checkbox("environment", &settings.useEnvironment);
+        if (settings.hasReflectionProbes)
+            ImGui::Checkbox("reflection probes", &settings.useReflectionProbes);
         ImGui::SliderFloat("ambient", &settings.ambientScale, 0, 4, "%.2f");
         ImGui::SliderFloat("fog", &settings.fogScale, 0, 8, "%.2f");
         ImGui::Separator();

@@ -26,6 +26,8 @@ struct ViewerSettings {
     FrameSettings frame;
     bool hasEnvironment = false;
     bool useEnvironment = true;
+    bool hasReflectionProbes = false;
+    bool useReflectionProbes = true;
     float ambientScale = 1;
     float fogScale = 1;
 };

@@ -51,6 +51,7 @@ struct ViewerOptions {
     float verticalFov = 0;  ///< radians; 0: the camera's own
     std::string
         environment;  ///< a panorama (.hdr, .exr); empty: the hemisphere light of `lighting`
+    bool reflectionProbes = true;  ///< capture those of the file
     Lighting
         lighting;  ///< ambient and background; the spans and the environment are set by the viewer
     FrameSettings settings;

@@ -142,6 +142,8 @@ Result<void> ViewerApp::advance() {
     lighting_.ambientGround *= settings_.ambientScale;
     lighting_.environmentIntensity *= settings_.ambientScale;
     lighting_.fog.density *= settings_.fogScale;
+    if (levelEnvironment_)
+        lighting_.environmentIntensity *= level_->model().imageBasedLight->intensity;
     return {};
 }
 
@@ -176,10 +178,18 @@ void ViewerApp::reloadLevel() {
     levelProblem_.clear();
     levelWatch_->accept();
     if (game_) game_->levelLoaded(*level_);
+    if (auto lit = useLevelLight(); !lit) say("error: " + lit.error().text());
     say("level loaded again: " + options_.scene);
 }
 
 FrameInput ViewerApp::describeFrame() {
+    FrameInput frame = describeScene();
+    frame.settings.deltaTime = float(clock_.delta());
+    frame.overlay = drawOverlay();
+    return frame;
+}
+
+FrameInput ViewerApp::describeScene() const {
     FrameInput frame;
     frame.view.viewFromWorld = camera_.pose().viewFromWorld();
     frame.view.previousViewFromWorld = previousView_.value_or(frame.view.viewFromWorld);
@@ -193,10 +203,11 @@ FrameInput ViewerApp::describeFrame() {
     frame.lighting = lighting_;
     frame.lighting.directional = level_->directionalLights();
     frame.lighting.punctual = level_->punctualLights();
+    if (settings_.useReflectionProbes) frame.lighting.reflectionProbes = level_->reflectionProbes();
     if (settings_.useEnvironment) frame.lighting.environment = environment_;
+    const bool black = lighting_.background == Background::color && lighting_.backgroundColor == vec3(0);
+    if (levelEnvironment_ && black) frame.lighting.background = Background::environment;
     frame.settings = settings_.frame;
-    frame.settings.deltaTime = float(clock_.delta());
-    frame.overlay = drawOverlay();
     return frame;
 }
 

@@ -37,6 +37,9 @@ private:
     Result<void> openEnvironment();
     Result<void> placeCamera();
 
+    // viewer_light.cpp
+    Result<void> useLevelLight();
+
     // viewer_app.cpp
     Result<bool> drawNextFrame();  ///< false while the window has no size
     void gatherInput();
@@ -50,6 +53,7 @@ private:
     void reloadShaders();
     void reloadLevel();
     FrameInput describeFrame();
+    FrameInput describeScene() const;  ///< without what is drawn over it
     Overlay drawOverlay();
     Result<void> render(const FrameInput& frame);
     Result<void> savePicture(const FrameInput& frame, const std::string& path);
@@ -66,6 +70,7 @@ private:
     std::unique_ptr<OverlayUi> ui_;
     std::unique_ptr<Level> level_;
     EnvironmentHandle environment_;
+    bool levelEnvironment_ = false;  ///< it is the image-based light of the file
 
     InputState played_;  ///< what the window says
     InputState scripted_;

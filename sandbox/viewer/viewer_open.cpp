@@ -32,6 +32,7 @@ Result<void> ViewerApp::open() {
         lastFrame_ = script_ ? script_->lastFrame() + 1 : 1;
     }
     settings_.frame = options_.settings;
+    if (auto lit = useLevelLight(); !lit) return lit;
     panelsOpen_ = options_.showOverlay;
     if (game_ && !isScripted() && !lastFrame_) windowInput_->captureMouse(!panelsOpen_);
     return placeCamera();

@@ -1,5 +1,6 @@
 // Light from everywhere: irradiance probes, an environment, or a hemisphere.
-#if defined(ENVIRONMENT) || defined(HEMISPHERE) || defined(IRRADIANCE_VOLUME)
+#if defined(ENVIRONMENT) || defined(HEMISPHERE) || defined(IRRADIANCE_VOLUME) || \
+    defined(REFLECTION_PROBES)
 #include "common/ambient_specular.glsl"
 
 #if defined(ENVIRONMENT) && !defined(IRRADIANCE_VOLUME)
@@ -7,13 +8,23 @@ layout(binding = RL_TEXTURE_IRRADIANCE) uniform samplerCube irradianceMap;
 #endif
 
 // Irradiance over pi that a surface with the normal n would get if nothing hid it.
-vec3 ambientIrradiance(LitSurface s, vec3 n) {
+vec3 farIrradiance(LitSurface s, vec3 n) {
 #if defined(IRRADIANCE_VOLUME)
     return s.tint * irradianceShape(s.flow, n);
 #elif defined(ENVIRONMENT)
     return textureLod(irradianceMap, turnToEnvironment(n), 0.0).rgb * L_ENVIRONMENT.z;
-#else
+#elif defined(HEMISPHERE)
     return mix(L_AMBIENT_GROUND.rgb, L_AMBIENT_SKY.rgb, n.y * 0.5 + 0.5);
+#else
+    return vec3(0.0);
+#endif
+}
+
+vec3 ambientIrradiance(LitSurface s, vec3 n) {
+#if defined(REFLECTION_PROBES) && !defined(IRRADIANCE_VOLUME)
+    return s.probesIrradiance + s.beyondProbes * farIrradiance(s, n);
+#else
+    return farIrradiance(s, n);
 #endif
 }
 
@@ -33,6 +44,9 @@ vec3 diffuseVisibility(LitSurface s) {
 }
 
 vec3 ambientLight(LitSurface s) {
+#if defined(REFLECTION_PROBES)
+    gatherReflectionProbes(s);
+#endif
     EnvironmentWeights w = ambientWeights(s);
     return w.diffuse * ambientIrradiance(s, s.bent) * diffuseVisibility(s) + ambientSpecular(s, w);
 }

@@ -8,6 +8,10 @@
 #include "interop/irradiance_volume.h"
 #endif
 
+#if defined(REFLECTION_PROBES)
+#include "common/reflection_probes.glsl"
+#endif
+
 #if defined(ENVIRONMENT)
 layout(binding = RL_TEXTURE_ENVIRONMENT) uniform samplerCube environmentMap;
 
@@ -21,7 +25,7 @@ vec3 diffuseAlbedo(LitSurface s) { return s.baseColor * (1.0 - s.metallic); }
 
 // How much of what comes from around goes on towards the eye.
 EnvironmentWeights ambientWeights(LitSurface s) {
-#if defined(ENVIRONMENT)
+#if defined(ENVIRONMENT) || defined(REFLECTION_PROBES)
     return environmentWeights(diffuseAlbedo(s), s.point.f0, s.table);
 #else
     // The specular lobe of a hemisphere, without a table: Karis 2014, "Physically Based Shading on Mobile".
@@ -34,8 +38,8 @@ EnvironmentWeights ambientWeights(LitSurface s) {
 #endif
 }
 
-// The radiance of the surroundings about the mirror direction, as the surface's roughness blurs it.
-vec3 surroundingsMirrored(LitSurface s) {
+// The radiance of the far surroundings about the mirror direction, as the surface's roughness blurs it.
+vec3 farMirrored(LitSurface s) {
     vec3 r = reflect(-s.point.view, s.point.normal);
 #if defined(ENVIRONMENT)
     float brightness = L_ENVIRONMENT.z;
@@ -54,6 +58,15 @@ vec3 surroundingsMirrored(LitSurface s) {
     return mix(L_AMBIENT_GROUND.rgb, L_AMBIENT_SKY.rgb, r.y * 0.5 + 0.5);
 #else
     return vec3(0.0);
+#endif
+}
+
+// What probes captured, as it is, where they are; with an irradiance volume too: the captured light was seen through it.
+vec3 surroundingsMirrored(LitSurface s) {
+#if defined(REFLECTION_PROBES)
+    return s.probesMirrored + s.beyondProbes * farMirrored(s);
+#else
+    return farMirrored(s);
 #endif
 }
 

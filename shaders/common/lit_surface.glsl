@@ -16,6 +16,11 @@ struct LitSurface {
     vec3 bent;        // unit: where it comes from on the mean; the normal where nothing is hidden
     vec3 tint;        // with an irradiance volume: see shareableLight of common/irradiance_probes.glsl
     vec3 flow;
+#if defined(REFLECTION_PROBES)
+    vec3 probesMirrored;    // see gatherReflectionProbes of common/reflection_probes.glsl
+    vec3 probesIrradiance;  // over pi
+    float beyondProbes;     // what they leave to the surroundings
+#endif
     vec2 table;  // see specularAlbedo
     ShadingPoint point;
 };

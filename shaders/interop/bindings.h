@@ -43,6 +43,9 @@
 #define RL_TEXTURE_SOURCE0 12
 #define RL_TEXTURE_SOURCE1 13
 #define RL_TEXTURE_SOURCE2 14
+// What lights surfaces has but one source of its own.
+#define RL_TEXTURE_REFLECTION_IRRADIANCE 13
+#define RL_TEXTURE_REFLECTION_RECORDS 14
 #define RL_TEXTURE_SKY 15
 // Texel buffers: on llvmpipe they are read twice as fast as storage blocks
 #define RL_TEXTURE_MATERIALS 16
@@ -59,6 +62,7 @@
 #define RL_TEXTURE_LOCAL_TINT 26
 #define RL_TEXTURE_PROBE_RECORDS 28
 #define RL_TEXTURE_LOCAL_FLOW 28
+#define RL_TEXTURE_REFLECTION_CUBES 27
 #define RL_TEXTURE_FOG 29
 // Surfaces alone read these, and no surface reads the G-buffer: they share its units.
 #define RL_TEXTURE_DECAL_COLOR 8

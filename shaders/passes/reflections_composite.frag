@@ -65,6 +65,9 @@ void main() {
 #if defined(IRRADIANCE_VOLUME)
     localLight(gl_FragCoord.xy, viewDepth, s.tint, s.flow);
 #endif
+#if defined(REFLECTION_PROBES)
+    gatherReflectionProbes(s);
+#endif
     EnvironmentWeights weights = ambientWeights(s);
     vec3 mirrored = weights.specular * hit.rgb;
 #if !defined(SHOW_REFLECTIONS)

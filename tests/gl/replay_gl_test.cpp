@@ -300,8 +300,10 @@ TEST_F(ReplayGl, DevicesReadWhatWasWritten) {
     EXPECT_EQ(back[7], std::byte(12));
     EXPECT_EQ(d.describe(buffer)->usage, BufferUsage::texel);
 
-    for (const TextureKind kind : {TextureKind::texture2dArray, TextureKind::cube}) {
-        const uint32_t layers = kind == TextureKind::cube ? 6 : 3;
+    for (const TextureKind kind : {TextureKind::texture2dArray, TextureKind::cube, TextureKind::cubeArray}) {
+        const uint32_t layers = kind == TextureKind::cube        ? 6
+                                : kind == TextureKind::cubeArray ? 12
+                                                                 : 3;
         const TextureHandle texture = *d.createTexture({"t", kind, Format::r8, 3, 3, layers, 2});
         std::vector<std::byte> all(size_t(9) * layers);
         for (size_t i = 0; i < all.size(); ++i) all[i] = std::byte(i);

@@ -100,6 +100,7 @@ FrameInput RandomScene::frame(uint32_t index) {
     input.previousTransforms = previousTransforms;
     input.lighting.directional = suns;
     input.lighting.punctual = lights;
+    input.lighting.reflectionProbes = reflectionProbes;
     input.lighting.environment = environment_;
     input.lighting.ambientSky = vec3(0.2f);
     input.lighting.background = environment_ ? Background::environment : Background::color;

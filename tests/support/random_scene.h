@@ -18,6 +18,7 @@ public:
     std::vector<mat4x3> previousTransforms;
     std::vector<DirectionalLight> suns;
     std::vector<PunctualLight> lights;
+    std::vector<ReflectionProbe> reflectionProbes;
     FrameSettings settings;
 
 private:

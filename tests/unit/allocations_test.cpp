@@ -50,6 +50,22 @@ TEST(Allocations, WarmFramesWithShadowsOfAllLightsMakeNone) {
     EXPECT_GT(lights, 5u);
 }
 
+TEST(Allocations, WarmFramesWithReflectionProbesMakeNone) {
+    const auto renderer = nullRenderer();
+    RandomScene scene(*renderer, 3);
+    const std::vector<vec3> pixels(32, vec3(1));
+    for (int i = 0; i < 40; ++i) {
+        ReflectionProbe probe;
+        probe.center = probe.position = vec3(float(i % 7) - 3, 0, float(i / 7) - 3) * 4.0f;
+        probe.halfSize = vec3(3);
+        if (i < 5) probe.environment = *renderer->createEnvironment({"light", 8, 4, pixels});
+        else probe.environment = scene.reflectionProbes[size_t(i % 5)].environment;
+        scene.reflectionProbes.push_back(probe);
+    }
+    EXPECT_EQ(allocationsOfWarmFrames(*renderer, scene, {0, 320, 200}), 0u);
+    EXPECT_NE(renderer->printCommands().find("BindTexture 27"), std::string::npos) << "some are in view";
+}
+
 TEST(Allocations, WarmCapturesMakeNone) {
     const auto renderer = nullRenderer();
     RandomScene scene(*renderer, 1);

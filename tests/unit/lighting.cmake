@@ -3,6 +3,7 @@ add_executable(lighting_test
   brdf_test.cpp
   occlusion_arc_test.cpp
   encode_test.cpp
+  environment_import_test.cpp
   environment_test.cpp
   sky_test.cpp
   tonemap_test.cpp)

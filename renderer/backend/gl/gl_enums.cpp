@@ -29,7 +29,8 @@ constexpr GlFormat kFormats[] = {
 static_assert(std::size(kFormats) == size_t(Format::depth16) + 1);
 
 // Indexed by their enumerations.
-constexpr GLenum kTargets[]  = {GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_CUBE_MAP};
+constexpr GLenum kTargets[]  = {GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_CUBE_MAP,
+                                GL_TEXTURE_CUBE_MAP_ARRAY};
 constexpr GLenum kWraps[]    = {GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT};
 constexpr GLenum kFilters[]  = {GL_NEAREST, GL_LINEAR};
 constexpr GLenum kCompares[] = {GL_ALWAYS, GL_GEQUAL, GL_GREATER, GL_EQUAL, GL_LESS};

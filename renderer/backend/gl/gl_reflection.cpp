@@ -20,6 +20,7 @@ SamplerType samplerType(GLenum type) {
         case GL_SAMPLER_2D_ARRAY_SHADOW: return {SampledAs::texture2dArray, true};
         case GL_SAMPLER_CUBE: return {SampledAs::cube, false};
         case GL_SAMPLER_CUBE_SHADOW: return {SampledAs::cube, true};
+        case GL_SAMPLER_CUBE_MAP_ARRAY: return {SampledAs::cubeArray, false};
         case GL_SAMPLER_BUFFER: return {SampledAs::floatTexels, false};
         case GL_INT_SAMPLER_BUFFER:
         case GL_UNSIGNED_INT_SAMPLER_BUFFER: return {SampledAs::integerTexels, false};
@@ -27,7 +28,6 @@ SamplerType samplerType(GLenum type) {
         case GL_SAMPLER_3D:
         case GL_SAMPLER_2D_RECT:
         case GL_SAMPLER_1D_ARRAY:
-        case GL_SAMPLER_CUBE_MAP_ARRAY:
         case GL_SAMPLER_2D_MULTISAMPLE:
         case GL_SAMPLER_2D_MULTISAMPLE_ARRAY: return {SampledAs::other, false};
         default: return {};  // no sampler

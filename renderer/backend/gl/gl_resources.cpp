@@ -46,7 +46,7 @@ GlTexture GlResources::createTexture(const TextureDesc& desc) {
     gl_.CreateTextures(glTarget(desc.kind), 1, &texture.name);
     const GLsizei levels = GLsizei(desc.mipLevels);
     const GLenum format = glFormat(desc.format).internal;
-    if (desc.kind == TextureKind::texture2dArray)
+    if (desc.kind == TextureKind::texture2dArray || desc.kind == TextureKind::cubeArray)
         gl_.TextureStorage3D(texture.name, levels, format, GLsizei(desc.width),
                              GLsizei(desc.height), GLsizei(desc.layers));
     else

@@ -1,0 +1,14 @@
+find_package(Threads REQUIRED)
+add_executable(reflection_probes_gl_test reflection_probes_gl_test.cpp ../support/test_context.cpp)
+target_link_libraries(reflection_probes_gl_test PRIVATE
+  rushlight_renderer Threads::Threads ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
+gtest_discover_tests(reflection_probes_gl_test PROPERTIES TIMEOUT 300)
+
+find_package(nlohmann_json REQUIRED)
+add_executable(surroundings_cli_gl_test surroundings_cli_gl_test.cpp)
+target_compile_definitions(surroundings_cli_gl_test PRIVATE
+  RUSHLIGHT_TOOL="$<TARGET_FILE:rushlight>" RUSHLIGHT_SOURCE="${PROJECT_SOURCE_DIR}")
+target_link_libraries(surroundings_cli_gl_test PRIVATE
+  rushlight_core nlohmann_json::nlohmann_json GTest::gtest_main rushlight_options)
+add_dependencies(surroundings_cli_gl_test rushlight)
+gtest_discover_tests(surroundings_cli_gl_test PROPERTIES TIMEOUT 300)

@@ -1,0 +1,104 @@
+// Files that bring the light around them: the tool uses an image-based light, and captures reflection probes.
+
+#include "tests/support/run_tool.h"
+#include "tests/support/temporary_directory.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace rushlight {
+namespace {
+
+using Json = nlohmann::json;
+
+/// 2 x 2 texels of mid grey.
+constexpr const char* kGrey =
+    "data:image/png;base64,"
+    "iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAIAAAD91JpzAAAADklEQVR4nGPYAwYMEAoAPb4I0c/S0MAAAAAASUVORK5CYII=";
+
+class SurroundingsCli : public testing::Test {
+protected:
+    void SetUp() override {
+        std::filesystem::copy(RUSHLIGHT_SOURCE "/content/testcard", folder.path());
+        json = Json::parse(bytes("testcard.gltf"));
+    }
+    std::string path(const std::string& name) const { return folder.path() + "/" + name; }
+    std::string bytes(const std::string& name) const {
+        std::ifstream file(path(name), std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    void save() const { std::ofstream(path("lit.gltf"), std::ios::binary) << json.dump(); }
+    Ended capture(const std::string& name, const std::string& more = "") const {
+        return runTool(folder.path(), "capture " + path("lit.gltf") + " --size 64x48 --stats " +
+                                          path("stats.json") + " -o " + path(name) + " " + more);
+    }
+    std::string fidelity() const { return Json::parse(bytes("stats.json"))["fidelity"].dump(); }
+
+    void addLight(const char* image, double red) {
+        const int first = json.contains("images") ? int(json["images"].size()) : 0;
+        json["images"].push_back({{"uri", image}});
+        const std::vector<int> face(6, first);
+        std::vector<std::vector<double>> harmonics(9, {0, 0, 0});
+        harmonics[0] = {red, 1, 1};
+        json["extensionsUsed"].push_back("EXT_lights_image_based");
+        json["extensions"]["EXT_lights_image_based"]["lights"] = {
+            {{"irradianceCoefficients", harmonics}, {"specularImageSize", 2}, {"specularImages", {face}}}};
+        json["scenes"][0]["extensions"]["EXT_lights_image_based"]["light"] = 0;
+    }
+
+    TemporaryDirectory folder;
+    Json json;
+};
+
+TEST_F(SurroundingsCli, AnImageBasedLightLightsWhereNoEnvironmentIsNamed) {
+    addLight(kGrey, 4);
+    save();
+    const Ended lit = capture("lit.png");
+    ASSERT_EQ(lit.code, 0) << lit.errors;
+    EXPECT_NE(fidelity().find("EXT_lights_image_based"), std::string::npos) << fidelity();
+    ASSERT_EQ(capture("off.png", "--ambient 0,0,0 --environment-intensity 0").code, 0);
+    EXPECT_FALSE(bytes("lit.png") == bytes("off.png"));
+    ASSERT_EQ(capture("again.png", "--threads 1").code, 0);
+    EXPECT_TRUE(bytes("lit.png") == bytes("again.png"));
+    EXPECT_EQ(capture("strict.png", "--strict").code, 3) << "its levels are resampled";
+
+    json["extensions"]["EXT_lights_image_based"]["lights"][0]["specularImageSize"] = 4;
+    save();
+    const Ended wrong = capture("wrong.png");
+    EXPECT_EQ(wrong.code, 3);
+    EXPECT_NE(wrong.errors.find("2 x 2 pixels"), std::string::npos) << wrong.errors;
+}
+
+TEST_F(SurroundingsCli, ReflectionProbesOfNodesAreCaptured) {
+    json["nodes"].push_back({{"name", "probe"},
+                             {"translation", {0, 1, 0}},
+                             {"extras", {{"rushlight_reflection_probe", {{"size", {20, 20, 20}}, {"resolution", 32}}}}}});
+    json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
+    save();
+    const Ended on = capture("on.png");
+    ASSERT_EQ(on.code, 0) << on.errors;
+    EXPECT_EQ(on.errors, "");
+    EXPECT_NE(fidelity().find("rushlight_reflection_probe"), std::string::npos);
+    ASSERT_EQ(capture("off.png", "--reflection-probes off").code, 0);
+    EXPECT_FALSE(bytes("on.png") == bytes("off.png"));
+    ASSERT_EQ(capture("again.png", "--reflection-probes on --threads 1").code, 0);
+    EXPECT_TRUE(bytes("on.png") == bytes("again.png"));
+    // Files without any are what they are either way.
+    json["nodes"].back().erase("extras");
+    save();
+    ASSERT_EQ(capture("plain.png").code, 0);
+    EXPECT_TRUE(bytes("plain.png") == bytes("off.png"));
+
+    json["nodes"].back()["extras"] = {{"rushlight_reflection_probe", {{"size", {0, 1, 1}}}}};
+    save();
+    const Ended wrong = capture("wrong.png");
+    EXPECT_EQ(wrong.code, 3);
+    EXPECT_NE(wrong.errors.find("rushlight_reflection_probe"), std::string::npos) << wrong.errors;
+}
+
+}  // namespace
+}  // namespace rushlight
