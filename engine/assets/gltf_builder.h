@@ -60,6 +60,9 @@ private:
     void buildNodeLight(int node, const tinygltf::Node& source);
     bool readLightExtras(Light& light, const tinygltf::Value& extras);
     void useProfile(Light& light, int profile, bool itsCandela);
+    // gltf_area_lights.cpp
+    void buildAreaLight(size_t node, const tinygltf::Value& extras);
+
     // gltf_surroundings.cpp
     void buildReflectionProbe(size_t node, const tinygltf::Value& extras);
     void buildImageBasedLight();

@@ -42,6 +42,7 @@ void GltfBuilder::buildNodes() {
         for (int child : source.children) model_.nodes[size_t(child)].parent = int(i);
         readTransform(node, source);
         buildReflectionProbe(i, source.extras);
+        buildAreaLight(i, source.extras);
         node.mesh = source.mesh;
         node.skin = source.skin;
         node.camera = source.camera;

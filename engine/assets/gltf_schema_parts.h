@@ -38,6 +38,7 @@ void checkLightExtras(const Counts& counts, const JsonObject& owner);
 size_t checkImageBasedLights(const Counts& counts, const JsonObject& root);  ///< how many there are
 void checkImageBasedLightOf(const JsonObject& scene, size_t lights);
 void checkReflectionProbe(const JsonObject& node);
+void checkAreaLight(const JsonObject& node);
 void checkNodes(const Counts& counts, const JsonObject& root);
 void checkSkins(const Counts& counts, const JsonObject& root);
 void checkAnimations(const Counts& counts, const JsonObject& root);

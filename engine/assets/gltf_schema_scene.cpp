@@ -67,6 +67,7 @@ void checkNodes(const Counts& counts, const JsonObject& root) {
         if (node.has("weights") && mesh < 0) node.wrong("it has weights but no mesh.");
         checkTransform(node);
         checkReflectionProbe(node);
+        checkAreaLight(node);
         if (const Json* json = findExtension(node, "KHR_lights_punctual"))
             JsonObject(*json, node.what() + " KHR_lights_punctual")
                 .index("light", counts.lights, Need::required);

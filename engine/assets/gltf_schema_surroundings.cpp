@@ -85,9 +85,12 @@ void checkImageBasedLightOf(const JsonObject& scene, size_t lights) {
 void checkReflectionProbe(const JsonObject& node) {
     if (!node.has("extras") || !node.json()["extras"].is_object()) return;
     const JsonObject extras(node.json()["extras"], node.what() + " extras");
-    const Json* json = extras.object("rushlight_reflection_probe");
+    const Json* ours = extras.object("rushlight");
+    if (!ours) return;
+    const std::string name = node.what() + " extras.rushlight";
+    const Json* json = JsonObject(*ours, name).object("reflectionProbe");
     if (!json) return;
-    const JsonObject probe(*json, node.what() + " rushlight_reflection_probe");
+    const JsonObject probe(*json, name + ".reflectionProbe");
     probe.array("size", Need::required);
     probe.numbers("size", 3, 1e-3, 1e6);
     probe.numbers("offset", 3, -1e6, 1e6);

@@ -51,8 +51,10 @@ void storeFace(const Image& image, bool rgbd, std::vector<vec3>& out) {
 }  // namespace
 
 void GltfBuilder::buildReflectionProbe(size_t index, const tinygltf::Value& extras) {
-    if (!extras.IsObject() || !extras.Has("rushlight_reflection_probe")) return;
-    const tinygltf::Value& source = extras.Get("rushlight_reflection_probe");
+    if (!extras.IsObject() || !extras.Has("rushlight")) return;
+    const tinygltf::Value& ours = extras.Get("rushlight");
+    if (!ours.Has("reflectionProbe")) return;
+    const tinygltf::Value& source = ours.Get("reflectionProbe");
     ReflectionProbe probe;
     probe.node = int(index);
     probe.size = toVec3(source.Get("size"));
@@ -65,7 +67,7 @@ void GltfBuilder::buildReflectionProbe(size_t index, const tinygltf::Value& extr
     probe.intensity = toFloat(source, "intensity", 1);
     probe.resolution = uint32_t(toFloat(source, "resolution", 256));
     model_.reflectionProbes.push_back(probe);
-    exact("rushlight_reflection_probe");
+    exact("reflection probes of extras.rushlight");
 }
 
 void GltfBuilder::buildImageBasedLight() {

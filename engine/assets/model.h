@@ -166,6 +166,23 @@ struct Light {
     int cookie = -1;   ///< Model::images: upright about +y for who looks along -z
 };
 
+enum class AreaShape : uint8_t { rectangle, disk, sphere, tube };
+
+/// Of a node's extras.rushlight: { "areaLight": { "shape", "luminance", "size", "radius", "length", "color", "range",
+/// "twoSided" } }. Flat ones shine along the node's local -z; a tube lies along its x. The node's scale counts for flat
+/// ones and for a tube's length.
+struct AreaLight {
+    int node = -1;
+    AreaShape shape = AreaShape::rectangle;
+    vec2 size{1};         ///< metres along x and y, of a rectangle or a disk
+    float radius = 0;     ///< metres, of a sphere or a tube
+    float length = 0;     ///< metres, of a tube
+    vec3 color{1};
+    float luminance = 0;  ///< candela per square metre
+    float range = 0;      ///< metres; 0: unbounded
+    bool twoSided = false;
+};
+
 /// EXT_lights_image_based: what is around the scene. As a cube map of OpenGL, whose faces are +x -x +y -y +z -z.
 struct ImageBasedLight {
     std::string name;
@@ -179,7 +196,7 @@ struct ImageBasedLight {
     std::vector<vec3> texels;  ///< linear radiance; level by level, in it face by face, rows from t = 0
 };
 
-/// Of a node's extras: { "rushlight_reflection_probe": { "size": [x, y, z], "offset", "blend", "intensity",
+/// Of a node's extras.rushlight: { "reflectionProbe": { "size": [x, y, z], "offset", "blend", "intensity",
 /// "resolution" } }. The light is captured where the node is, for a box that is turned as the node is.
 struct ReflectionProbe {
     int node = -1;
@@ -236,6 +253,7 @@ struct Model {
     std::vector<LightProfile> lightProfiles;
     std::optional<ImageBasedLight> imageBasedLight;  ///< of the scene to show
     std::vector<ReflectionProbe> reflectionProbes;
+    std::vector<AreaLight> areaLights;
     std::vector<Skin> skins;
     std::vector<Animation> animations;
     Fidelity fidelity;

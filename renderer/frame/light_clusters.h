@@ -66,7 +66,7 @@ struct ClusterInputs {
     /// Of each punctual light, the shadow record that shaders look up, or -1; empty: none has one.
     std::span<const int32_t> shadowRecords;
     std::span<const AreaLight> area;
-    std::span<const int32_t> areaShadowRecords;  ///< as shadowRecords
+    std::span<const int32_t> areaShadowRecords = {};  ///< as shadowRecords
     const LightPatternStore* patterns = nullptr;  ///< null: no light has a profile or a cookie
 };
 

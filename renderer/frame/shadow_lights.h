@@ -37,7 +37,7 @@ public:
         uint32_t targetHeight = 0;
         std::span<const PunctualLight> punctual;
         const FrameSettings* settings = nullptr;
-        std::span<const AreaLight> area;
+        std::span<const AreaLight> area = {};
         uint32_t firstFace = 0;  ///< index of the first of gpuFaces() where shaders read them
     };
     struct Counts {

@@ -205,6 +205,7 @@ void SceneBridge::fill(FrameInput& input) const {
     input.previousTransforms = state_->previousTransforms;
     input.lighting.directional = state_->lights.directional;
     input.lighting.punctual = state_->lights.punctual;
+    input.lighting.area = state_->lights.area;
     if (!state_->environments.empty()) input.lighting.reflectionProbes = state_->probes;
 }
 
@@ -253,7 +254,8 @@ Result<void> SceneBridge::captureReflections(const FrameInput& input) {
 bool SceneBridge::hasReflectionProbes() const { return !state_->probes.empty(); }
 
 bool SceneBridge::hasLights() const {
-    return !state_->lights.directional.empty() || !state_->lights.punctual.empty();
+    return !state_->lights.directional.empty() || !state_->lights.punctual.empty() ||
+           !state_->lights.area.empty();
 }
 
 Aabb SceneBridge::bounds() const {

@@ -1,5 +1,8 @@
 #include "renderer/scene_bridge/scene_lights.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace rushlight {
 namespace {
 
@@ -34,6 +37,30 @@ PunctualLight punctualOf(const assets::Light& from, const LightUploads& uploads,
     return light;
 }
 
+AreaLight areaOf(const assets::AreaLight& from, const mat4& world) {
+    AreaLight light;
+    light.shape = AreaShape(from.shape);
+    light.position = vec3(world[3]);
+    light.halfX = vec3(world[0]) * from.size.x / 2.0f;
+    light.halfY = vec3(world[1]) * from.size.y / -2.0f;  // the front is along -z
+    if (from.shape == assets::AreaShape::tube) light.halfX = vec3(world[0]) * from.length / 2.0f;
+    light.radius = from.radius;
+    light.luminance = from.color * from.luminance;
+    light.twoSided = from.twoSided;
+    light.range = from.range;
+    light.castsShadow = true;
+    return light;
+}
+
+/// False where the node's transform leaves nothing of it, or turns a rectangle into another shape.
+bool hasShape(const AreaLight& light) {
+    const float x = glm::length(light.halfX), y = glm::length(light.halfY);
+    if (light.shape == AreaShape::sphere) return true;
+    if (light.shape == AreaShape::tube) return x > 0;
+    constexpr float kSquare = 1e-3f;  // cosine between the sides
+    return x > 0 && y > 0 && std::abs(glm::dot(light.halfX, light.halfY)) < kSquare * x * y;
+}
+
 template <class Light>
 void limit(std::vector<Light>& lights, uint32_t most, const char* kind,
            std::vector<std::string>& notes) {
@@ -63,6 +90,15 @@ SceneLights lightsOf(const assets::Model& model, const LightUploads& uploads, co
         lights.directional.push_back(light);
     }
     notes.clear();
+    for (const assets::AreaLight& from : model.areaLights) {
+        if (std::ranges::find(nodes, from.node) == nodes.end()) continue;
+        lights.area.push_back(areaOf(from, world[size_t(from.node)]));
+        if (hasShape(lights.area.back())) continue;
+        lights.area.pop_back();
+        notes.push_back("The area light of node " + std::to_string(from.node) +
+                        " is left out: its node's transform flattens or shears it.");
+    }
+    limit(lights.area, kMaxAreaLights, "area", notes);
     limit(lights.directional, kMaxDirectionalLights, "directional", notes);
     limit(lights.punctual, kMaxPunctualLights, "point and spot", notes);
     return lights;

@@ -13,6 +13,7 @@ namespace rushlight {
 struct SceneLights {
     std::vector<DirectionalLight> directional;
     std::vector<PunctualLight> punctual;
+    std::vector<AreaLight> area;
 };
 
 /// The lights of the shown nodes in their order, as many as a frame takes; `notes` tells how many

@@ -76,13 +76,13 @@ TEST_F(SurroundingsCli, AnImageBasedLightLightsWhereNoEnvironmentIsNamed) {
 TEST_F(SurroundingsCli, ReflectionProbesOfNodesAreCaptured) {
     json["nodes"].push_back({{"name", "probe"},
                              {"translation", {0, 1, 0}},
-                             {"extras", {{"rushlight_reflection_probe", {{"size", {20, 20, 20}}, {"resolution", 32}}}}}});
+                             {"extras", {{"rushlight", {{"reflectionProbe", {{"size", {20, 20, 20}}, {"resolution", 32}}}}}}}});
     json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
     save();
     const Ended on = capture("on.png");
     ASSERT_EQ(on.code, 0) << on.errors;
     EXPECT_EQ(on.errors, "");
-    EXPECT_NE(fidelity().find("rushlight_reflection_probe"), std::string::npos);
+    EXPECT_NE(fidelity().find("reflection probes of extras.rushlight"), std::string::npos);
     ASSERT_EQ(capture("off.png", "--reflection-probes off").code, 0);
     EXPECT_FALSE(bytes("on.png") == bytes("off.png"));
     ASSERT_EQ(capture("again.png", "--reflection-probes on --threads 1").code, 0);
@@ -93,11 +93,40 @@ TEST_F(SurroundingsCli, ReflectionProbesOfNodesAreCaptured) {
     ASSERT_EQ(capture("plain.png").code, 0);
     EXPECT_TRUE(bytes("plain.png") == bytes("off.png"));
 
-    json["nodes"].back()["extras"] = {{"rushlight_reflection_probe", {{"size", {0, 1, 1}}}}};
+    json["nodes"].back()["extras"] = {{"rushlight", {{"reflectionProbe", {{"size", {0, 1, 1}}}}}}};
     save();
     const Ended wrong = capture("wrong.png");
     EXPECT_EQ(wrong.code, 3);
-    EXPECT_NE(wrong.errors.find("rushlight_reflection_probe"), std::string::npos) << wrong.errors;
+    EXPECT_NE(wrong.errors.find("extras.rushlight.reflectionProbe"), std::string::npos) << wrong.errors;
+}
+
+TEST_F(SurroundingsCli, AreaLightsOfNodesShineForwards) {
+    const auto place = [&](const char* turn, const Json& scale) {
+        json["nodes"].push_back(
+            {{"name", "window"},
+             {"translation", {0, 6, 0}},
+             {"rotation", Json::parse(turn)},
+             {"scale", scale},
+             {"extras", {{"rushlight", {{"areaLight", {{"shape", "rectangle"}, {"size", {4, 4}}, {"luminance", 20}}}}}}}});
+        json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
+        save();
+        json["scenes"][0]["nodes"].erase(json["scenes"][0]["nodes"].size() - 1);
+        json["nodes"].erase(json["nodes"].size() - 1);
+    };
+    save();
+    ASSERT_EQ(capture("none.png").code, 0);
+    place("[-0.70710678, 0, 0, 0.70710678]", {1, 1, 1});  // -z turned to -y
+    ASSERT_EQ(capture("down.png").code, 0);
+    EXPECT_NE(fidelity().find("area lights of extras.rushlight"), std::string::npos);
+    EXPECT_FALSE(bytes("down.png") == bytes("none.png"));
+    place("[0.70710678, 0, 0, 0.70710678]", {1, 1, 1});
+    ASSERT_EQ(capture("up.png").code, 0);
+    EXPECT_TRUE(bytes("up.png") == bytes("none.png")) << "nothing is above it";
+    place("[-0.70710678, 0, 0, 0.70710678]", {1, 0, 1});
+    const Ended flat = capture("flat.png");
+    ASSERT_EQ(flat.code, 0) << flat.errors;
+    EXPECT_NE(fidelity().find("The area light of node"), std::string::npos) << fidelity();
+    EXPECT_TRUE(bytes("flat.png") == bytes("none.png"));
 }
 
 }  // namespace

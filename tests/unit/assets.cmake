@@ -7,6 +7,7 @@ add_executable(assets_test
   assets_load_test.cpp
   assets_pose_test.cpp
   assets_rules_test.cpp
+  assets_area_lights_test.cpp
   assets_surroundings_test.cpp
   assets_tangents_test.cpp)
 target_link_libraries(assets_test PRIVATE

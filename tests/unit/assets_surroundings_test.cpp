@@ -131,8 +131,8 @@ TEST(AssetsSurroundings, ReflectionProbesAreReadFromExtras) {
         node["extras"] = Json::parse(extras);
         return loadModel(gltf.save(folder), {});
     };
-    auto model = load(R"({"rushlight_reflection_probe":{"size":[4,2,6],"blend":0.5,"offset":[1,0,0],
-        "intensity":2,"resolution":64},"other":1})");
+    auto model = load(R"({"rushlight":{"reflectionProbe":{"size":[4,2,6],"blend":0.5,"offset":[1,0,0],
+        "intensity":2,"resolution":64},"other":1}})");
     ASSERT_TRUE(model) << model.error().text();
     ASSERT_EQ(model->reflectionProbes.size(), 1u);
     const ReflectionProbe& probe = model->reflectionProbes[0];
@@ -142,7 +142,7 @@ TEST(AssetsSurroundings, ReflectionProbesAreReadFromExtras) {
     EXPECT_EQ(probe.blend, vec3(0.5f, 0, 0.5f));
     EXPECT_EQ(probe.intensity, 2);
     EXPECT_EQ(probe.resolution, 64u);
-    model = load(R"({"rushlight_reflection_probe":{"size":[1,1,1],"blend":[1,2,3]}})");
+    model = load(R"({"rushlight":{"reflectionProbe":{"size":[1,1,1],"blend":[1,2,3]}}})");
     ASSERT_TRUE(model);
     EXPECT_EQ(model->reflectionProbes[0].blend, vec3(1, 2, 3));
     for (const char* others : {"[1]", "3", "{\"a\":null}", "\"text\""}) {
@@ -155,9 +155,9 @@ TEST(AssetsSurroundings, ReflectionProbesAreReadFromExtras) {
                             R"({"size":[1,1,1],"resolution":100})", R"({"size":[1,1,1],"resolution":65536})",
                             R"({"size":[1,1,1],"offset":[1,0,0]})", R"({"size":[1,1,1],"intensity":-1})",
                             R"(3)"}) {
-        model = load((std::string("{\"rushlight_reflection_probe\":") + bad + "}").c_str());
+        model = load((std::string("{\"rushlight\":{\"reflectionProbe\":") + bad + "}}").c_str());
         ASSERT_FALSE(model) << bad;
-        EXPECT_NE(model.error().text().find("rushlight_reflection_probe"), std::string::npos)
+        EXPECT_NE(model.error().text().find("reflectionProbe"), std::string::npos)
             << model.error().text();
     }
 }
