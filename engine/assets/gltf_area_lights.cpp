@@ -20,15 +20,11 @@ float numberOf(const tinygltf::Value& source, const char* key, float fallback) {
 }  // namespace
 
 void checkAreaLight(const JsonObject& node) {
-    if (!node.has("extras") || !node.json()["extras"].is_object()) return;
-    const JsonObject extras(node.json()["extras"], node.what() + " extras");
-    const Json* ours = extras.object("rushlight");
-    if (!ours) return;
-    const std::string name = node.what() + " extras.rushlight";
-    const Json* json = JsonObject(*ours, name).object("areaLight");
+    const std::optional<JsonObject> ours = extrasOf(node);
+    const Json* json = ours ? ours->object("areaLight") : nullptr;
     if (!json) return;
     constexpr double kLeast = 1e-4, kMost = 1e6;  // metres
-    const JsonObject light(*json, name + ".areaLight");
+    const JsonObject light(*json, ours->what() + ".areaLight");
     light.oneOf("shape", {"rectangle", "disk", "sphere", "tube"}, Need::required);
     light.number("luminance", 0, FLT_MAX, Need::required);
     light.numbers("color", 3, 0, 1);

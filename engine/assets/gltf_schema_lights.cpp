@@ -5,6 +5,14 @@
 
 namespace rushlight::assets {
 
+std::optional<JsonObject> extrasOf(const JsonObject& owner) {
+    if (!owner.has("extras") || !owner.json()["extras"].is_object()) return std::nullopt;
+    const JsonObject extras(owner.json()["extras"], owner.what() + " extras");
+    const Json* ours = extras.object("rushlight");
+    if (!ours) return std::nullopt;
+    return JsonObject(*ours, extras.what() + ".rushlight");
+}
+
 size_t checkLightProfiles(const Counts& counts, const JsonObject& root) {
     const Json* json = findExtension(root, "EXT_lights_ies");
     if (!json) return 0;
@@ -36,13 +44,11 @@ void checkNodeProfile(const Counts& counts, const JsonObject& node) {
 
 // Extras belong to whoever wrote them: one object of our name is looked at, and that strictly.
 void checkLightExtras(const Counts& counts, const JsonObject& owner) {
-    if (!owner.has("extras") || !owner.json()["extras"].is_object()) return;
-    const Json& extras = owner.json()["extras"];
-    if (!extras.contains("rushlight")) return;
-    const JsonObject ours(extras["rushlight"], owner.what() + " extras.rushlight");
-    ours.index("lightProfile", counts.lightProfiles);
-    ours.index("lightCookie", counts.textures);
-    ours.boolean("useProfileCandela");
+    const std::optional<JsonObject> ours = extrasOf(owner);
+    if (!ours) return;
+    ours->index("lightProfile", counts.lightProfiles);
+    ours->index("lightCookie", counts.textures);
+    ours->boolean("useProfileCandela");
 }
 
 }  // namespace rushlight::assets

@@ -3,6 +3,8 @@
 
 #include "engine/assets/json_object.h"
 
+#include <optional>
+
 namespace rushlight::assets {
 
 /// How many of each there are, for references.
@@ -21,6 +23,9 @@ void forEach(const JsonObject& parent, const char* key, const char* kind, const 
     for (size_t i = 0; i < array->size(); ++i)
         check(JsonObject((*array)[i], prefix + nameOf(kind, i, (*array)[i])));
 }
+
+/// What the extras of `owner` say to us, an object; nothing where they do not.
+std::optional<JsonObject> extrasOf(const JsonObject& owner);
 
 /// The extension object of that name, or null.
 const Json* findExtension(const JsonObject& owner, const char* name);

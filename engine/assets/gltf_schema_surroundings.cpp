@@ -83,14 +83,10 @@ void checkImageBasedLightOf(const JsonObject& scene, size_t lights) {
 }
 
 void checkReflectionProbe(const JsonObject& node) {
-    if (!node.has("extras") || !node.json()["extras"].is_object()) return;
-    const JsonObject extras(node.json()["extras"], node.what() + " extras");
-    const Json* ours = extras.object("rushlight");
-    if (!ours) return;
-    const std::string name = node.what() + " extras.rushlight";
-    const Json* json = JsonObject(*ours, name).object("reflectionProbe");
+    const std::optional<JsonObject> ours = extrasOf(node);
+    const Json* json = ours ? ours->object("reflectionProbe") : nullptr;
     if (!json) return;
-    const JsonObject probe(*json, name + ".reflectionProbe");
+    const JsonObject probe(*json, ours->what() + ".reflectionProbe");
     probe.array("size", Need::required);
     probe.numbers("size", 3, 1e-3, 1e6);
     probe.numbers("offset", 3, -1e6, 1e6);

@@ -215,6 +215,7 @@ Result<void> SceneBridge::describe(ResourceSink& sink) const {
 }
 
 const LightPatternSet& SceneBridge::lightPatterns() const { return state_->uploads.patterns(); }
+
 Result<void> SceneBridge::State::captureFirst(const FrameInput& seen) {
     std::vector<EnvironmentHandle> made;
     for (size_t i = 0; i < probes.size(); ++i) {
