@@ -2,8 +2,10 @@
 // The walk of CommandValidator through one buffer. Used by validate_commands.cpp and validate_draws.cpp alone.
 
 #include "engine/core/quoted.h"
+#include "renderer/commands/index_bounds.h"
 #include "renderer/commands/validate_commands.h"
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -71,6 +73,7 @@ private:
     void checkProgram();
     void checkStreams();
     void checkVertices(uint64_t first, uint64_t count);
+    const IndexBounds* indexBounds();
     void checkInstances(uint64_t first, uint64_t count);
     void checkIndices(const DrawIndexedCommand& draw);
     std::string entryText() const;
@@ -92,6 +95,8 @@ private:
     const PipelineSlots* slots_ = nullptr;
     std::array<BoundRange, kVertexStreams> streams_{};
     BoundRange indices_;
+    BufferRange indexRange_;
+    std::map<std::pair<uint32_t, uint64_t>, IndexBounds> indexBounds_;  ///< by buffer and offset
     std::array<BoundRange, kUniformSlots> uniforms_{};
     std::array<BoundTexture, kTextureUnits> textures_{};
     uint32_t entry_ = 0, entryCount_ = 0;  ///< of a multi-draw

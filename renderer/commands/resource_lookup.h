@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 namespace rushlight {
 
@@ -43,6 +44,8 @@ public:
     virtual std::optional<PipelineDesc> describe(PipelineHandle) const = 0;
     /// Null where nobody knows.
     virtual const PipelineSlots* slots(PipelineHandle) const { return nullptr; }
+    /// All bytes of a buffer, without a handle of the commands' data block; nothing where they are not at hand.
+    virtual std::optional<std::span<const std::byte>> contents(BufferHandle) const { return {}; }
 };
 
 }  // namespace rushlight

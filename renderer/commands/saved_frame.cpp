@@ -47,4 +47,11 @@ std::optional<PipelineDesc> SavedFrame::describe(PipelineHandle handle) const {
     return desc;
 }
 
+std::optional<std::span<const std::byte>> SavedFrame::contents(BufferHandle handle) const {
+    if (!handle) return commands.data();
+    const SavedBuffer* found = find(buffers, handle);
+    if (!found || !found->contents) return {};
+    return blobs.bytes(found->contents);
+}
+
 }  // namespace rushlight

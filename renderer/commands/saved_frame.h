@@ -44,6 +44,7 @@ struct SavedFrame final : ResourceLookup {
     std::optional<TextureDesc> describe(TextureHandle) const override;
     std::optional<SamplerDesc> describe(SamplerHandle) const override;
     std::optional<PipelineDesc> describe(PipelineHandle) const override;
+    std::optional<std::span<const std::byte>> contents(BufferHandle) const override;
 };
 
 }  // namespace rushlight

@@ -245,7 +245,9 @@ void CommandChecker::check(const SetVertexStream& c) {
 }
 
 void CommandChecker::check(const SetIndexStream& c) {
-    if (inPass()) indices_ = bindStream(c.range, 4);
+    if (!inPass()) return;
+    indices_ = bindStream(c.range, 4);
+    indexRange_ = c.range;
 }
 
 void CommandChecker::check(const BindUniforms& c) {

@@ -24,7 +24,8 @@ enum class ValidationRules : uint8_t {
 ///     texel buffers have formats that can be, comparing samplers go with depth, filtering ones not with integers;
 ///   - what a draw reads was bound in its own pass: streams of the pipeline's layout, its program's uniform blocks,
 ///     textures and texel buffers, where ResourceLookup::slots knows them; as large as needed, and of the kind;
-///   - indirect draws stay inside of the index buffer and the instances (those in the data block are looked into);
+///   - indirect draws stay inside of the index buffer and the instances, and no index names a vertex that is not there;
+///     both where ResourceLookup::contents knows the bytes, draws in the data block always;
 ///   - all: a texture that a pass of this buffer writes is sampled only where declared (DeclareImage), never while it
 ///     is a target; a read-only depth target is not written, and what is written is declared.
 class CommandValidator {

@@ -129,15 +129,29 @@ void CommandChecker::checkInstances(uint64_t first, uint64_t count) {
               "; there are " + std::to_string(there) + ".");
 }
 
+/// Of the bound indices; null where their bytes are not at hand.
+const IndexBounds* CommandChecker::indexBounds() {
+    const auto bytes = resources_.contents(indexRange_.buffer);
+    if (!bytes || indexRange_.offset > bytes->size()) return nullptr;
+    const auto [found, isNew] =
+        indexBounds_.try_emplace({indexRange_.buffer.value, indexRange_.offset});
+    if (isNew) found->second = IndexBounds(bytes->subspan(indexRange_.offset));
+    return &found->second;
+}
+
 void CommandChecker::checkIndices(const DrawIndexedCommand& draw) {
     const uint64_t end = uint64_t(draw.firstIndex) + draw.indexCount;
-    if (end > indices_.size / 4)
+    const bool there = end <= indices_.size / 4;
+    if (!there)
         fault(entryText() + " reads the indices up to " + std::to_string(end) + "; there are " +
               std::to_string(indices_.size / 4) + ".");
-    if (draw.baseVertex < 0)
+    if (draw.baseVertex < 0) {
         fault(entryText() + " has the base vertex " + std::to_string(draw.baseVertex) + ".");
-    else if (draw.indexCount > 0)
-        checkVertices(uint64_t(draw.baseVertex), 1);
+    } else if (draw.indexCount > 0) {
+        const IndexBounds* bounds = there ? indexBounds() : nullptr;
+        const uint64_t highest = bounds ? bounds->highest(draw.firstIndex, draw.indexCount) : 0;
+        checkVertices(uint64_t(draw.baseVertex), highest + 1);
+    }
     checkInstances(draw.baseInstance, draw.instanceCount);
 }
 
@@ -164,9 +178,11 @@ void CommandChecker::check(const MultiDrawIndexed& c) {
     if (!indices_.bound) return fault("This pass sets no index stream.");
     if (!indices_.wholeBuffer)
         fault("Indirect draws index from the start of an index buffer of its own.");
-    if (c.commands.buffer) return;  // only the GPU can look into those
+    const auto bytes = c.commands.buffer ? resources_.contents(c.commands.buffer)
+                                         : std::optional(commands_.data());
+    if (!bytes) return;  // only the GPU can look into those
     entryCount_ = c.drawCount;
-    const std::byte* entries = commands_.data().data() + c.commands.offset;
+    const std::byte* entries = bytes->data() + c.commands.offset;
     for (entry_ = 1; entry_ <= c.drawCount; ++entry_) {
         DrawIndexedCommand draw;
         std::memcpy(&draw, entries + size_t(entry_ - 1) * sizeof draw, sizeof draw);

@@ -4,6 +4,7 @@
 #include "renderer/backend/device.h"
 #include "shaders/interop/bindings.h"
 
+#include <array>
 #include <cstring>
 
 namespace rushlight {
@@ -20,6 +21,7 @@ struct SmallFrame {
     explicit SmallFrame(Device& on) : device(on) {
         vertices = buffer("vertices", 36);
         indices = buffer("indices", 12);
+        writeIndices({0, 1, 2});
         materials = buffer("materials", 256);
         painted = texture({"painted", TextureKind::texture2d, Format::rgba8, 4, 2, 1, 1});
         pictures = texture({"pictures", TextureKind::texture2dArray, Format::rgba8, 2, 2, 2, 2});
@@ -42,6 +44,9 @@ struct SmallFrame {
         commands.push(pass);
         for (const TextureHandle written : {color, depth})
             if (written) declare(written, true);
+    }
+    void writeIndices(const std::array<uint32_t, 3>& values) {
+        device.write(indices, 0, std::as_bytes(std::span(values)));
     }
     void declare(TextureHandle texture, bool write) {
         DeclareImage image{texture, write, {}};

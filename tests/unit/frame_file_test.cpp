@@ -2,10 +2,12 @@
 
 #include "renderer/commands/frame_diff.h"
 #include "renderer/commands/frame_file.h"
+#include "renderer/commands/index_bounds.h"
 #include "renderer/commands/needed_contents.h"
 #include "renderer/replay/replay.h"
 #include "renderer/replay/snapshot.h"
 #include "tests/support/memory_device.h"
+#include "tests/support/random.h"
 #include "tests/support/sealed_frame.h"
 #include "tests/support/small_frame.h"
 
@@ -180,6 +182,39 @@ TEST_F(FrameFile, TargetsThatNoFrameHasAreRefused) {
     frame->textures[1].desc.width = frame->textures[1].desc.height = 16384;
     frame->textures[1].desc.format = Format::rgba32f;
     EXPECT_NE(refusal(encodeFrame(*frame)).find("no frame of this size does"), std::string::npos);
+}
+
+TEST_F(FrameFile, IndicesBeyondTheVerticesAreRefused) {
+    const auto refusalWith = [&](const std::array<uint32_t, 3>& indices) {
+        small.writeIndices(indices);
+        return refusal(encodeFrame(takeSnapshot(device, small.commands, small.target)));
+    };
+    EXPECT_EQ(refusalWith({2, 0, 1}), "accepted");
+    EXPECT_EQ(refusalWith({0, 3, 1}),
+              "a.rlf: pass 'shadow', command 7 (MultiDrawIndexed): Draw 1 of 1 reads the vertices up to 4 of the "
+              "vertex stream 0, which has 3.");
+    EXPECT_NE(refusalWith({0, 1, ~0u}).find("reads the vertices up to 4294967296"), std::string::npos);
+}
+
+TEST(IndexBounds, AreThoseOfALookAtEach) {
+    Random random(1);
+    std::vector<std::byte> bytes(1 + 4 * 1000 + 3);
+    for (size_t i = 0; i < 1000; ++i) {
+        const uint32_t index = random.below(1u << 20);
+        std::memcpy(bytes.data() + 1 + 4 * i, &index, 4);
+    }
+    const auto indices = std::span<const std::byte>(bytes).subspan(1);
+    const IndexBounds bounds(indices);
+    for (int n = 0; n < 20000; ++n) {
+        const size_t first = random.below(1000), count = 1 + random.below(uint32_t(1000 - first));
+        uint32_t highest = 0;
+        for (size_t i = first; i < first + count; ++i) {
+            uint32_t index;
+            std::memcpy(&index, indices.data() + 4 * i, 4);
+            highest = std::max(highest, index);
+        }
+        ASSERT_EQ(bounds.highest(first, count), highest) << first << " " << count;
+    }
 }
 
 TEST_F(FrameFile, ReplayGivesTheCommandsBack) {
