@@ -28,11 +28,12 @@ public:
         std::memcpy(commands_.data() + at + sizeof header, &command, sizeof command);
     }
 
-    /// Reserves `size` bytes of the data block, aligned to `alignment` (a power of two).
-    /// The span stays valid until the next allocation; offsets stay valid always.
+    /// Reserves `size` bytes of the data block, aligned to `alignment` (a power of two), all of which are to be written:
+    /// they may hold what an earlier frame left. Gaps are zero. Spans are good until the next allocation, offsets until
+    /// clear().
     BufferRange allocate(uint64_t size, uint64_t alignment = 256);
     std::span<std::byte> bytes(const BufferRange& range) {
-        RL_CHECK(!range.buffer && range.offset + range.size <= data_.size(),
+        RL_CHECK(!range.buffer && range.offset + range.size <= dataSize_,
                  "the range is not of this command buffer's data block");
         return {data_.data() + range.offset, size_t(range.size)};
     }
@@ -52,7 +53,7 @@ public:
     void assign(std::span<const std::byte> commands, std::span<const std::byte> data);
 
     std::span<const std::byte> commandBytes() const { return commands_; }
-    std::span<const std::byte> data() const { return data_; }
+    std::span<const std::byte> data() const { return std::span(data_).first(dataSize_); }
 
     struct Header {
         CommandType type;
@@ -63,7 +64,8 @@ public:
 
 private:
     std::vector<std::byte> commands_;
-    std::vector<std::byte> data_;
+    std::vector<std::byte> data_;  // as long as it ever was: growing would set every byte first
+    size_t dataSize_ = 0;
 };
 
 /// Calls `visit(const CommandStruct&)` for every command in order; `visit` is a generic lambda or overload set.

@@ -44,9 +44,10 @@ void radixSortBy(std::span<Item> items, std::span<Item> scratch, NumberOf number
     const RadixDigits digits(varying, many ? kManyBits : kFewBits);
     if (digits.count() == 0) return;
     using Counts = std::array<uint32_t, 1u << kManyBits>;
-    Counts starts, next;
-    const auto clear = [&](Counts& counts) {
-        std::fill_n(counts.begin(), many ? counts.size() : size_t(1) << kFewBits, 0u);
+    Counts ofThis, ofNext;
+    uint32_t *starts = ofThis.data(), *next = ofNext.data();
+    const auto clear = [&](uint32_t* counts) {
+        std::fill_n(counts, many ? Counts().size() : size_t(1) << kFewBits, 0u);
     };
     clear(starts);
     for (const Item& item : items) ++starts[digits.of(numberOf(item), 0)];
