@@ -1,5 +1,7 @@
 #include "renderer/capture/compare.h"
 
+#include "renderer/capture/hdr_flip.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,9 +30,12 @@ void measureErrors(const Picture& a, const Picture& b, Comparison& result) {
     const size_t channels = isOpaque(a) && isOpaque(b) ? 3 : 4;
     double sum = 0;
     double squares = 0;
+    result.errors = Plane(a.width, a.height);
     for (size_t i = 0; i < a.rgba.size(); i += 4)
         for (size_t c = 0; c < channels; ++c) {
             const double d = difference(a.rgba[i + c], b.rgba[i + c]);
+            double& worst = result.errors.values[i / 4];
+            worst = std::max(worst, d);
             result.maxError = std::max(result.maxError, d);
             sum += d;
             squares += d * d;
@@ -39,6 +44,16 @@ void measureErrors(const Picture& a, const Picture& b, Comparison& result) {
     result.meanError = sum / count;
     result.psnr =
         squares == 0 ? std::numeric_limits<double>::infinity() : -10 * std::log10(squares / count);
+}
+
+double alphaOverlap(const Picture& a, const Picture& b) {
+    size_t both = 0, either = 0;
+    for (size_t i = 3; i < a.rgba.size(); i += 4) {
+        const bool inA = a.rgba[i] >= 0.5f, inB = b.rgba[i] >= 0.5f;
+        both += inA && inB;
+        either += inA || inB;
+    }
+    return either ? double(both) / double(either) : 1;
 }
 
 float cut(float value) { return value >= 0 ? std::min(value, 1.0f) : 0.0f; }  // NaN becomes 0
@@ -51,13 +66,13 @@ float srgbFromLinear(float v) {
     return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
 }
 
-/// What a display shows: RGB over black.
+/// Over black; radiance, or what a display shows.
 std::vector<vec3> linearColors(const Picture& picture) {
     std::vector<vec3> colors(picture.pixelCount());
     for (size_t i = 0; i < colors.size(); ++i)
         for (int c = 0; c < 3; ++c) {
-            const float value = cut(picture.rgba[i * 4 + size_t(c)]);
-            colors[i][c] = picture.linear ? value : linearFromSrgb(value);
+            const float value = picture.rgba[i * 4 + size_t(c)];
+            colors[i][c] = picture.linear ? value : linearFromSrgb(cut(value));
         }
     return colors;
 }
@@ -123,8 +138,10 @@ Result<Comparison> comparePictures(const Picture& a, const Picture& b, const std
     Comparison result;
     measureErrors(a, b, result);
     result.ssim = structuralSimilarity(luma(a), luma(b));
+    result.alphaOverlap = alphaOverlap(a, b);
+    const auto flip = a.linear ? hdrFlipErrors : flipErrors;
     result.flipErrors =
-        flipErrors(linearColors(a), linearColors(b), a.width, a.height, options.pixelsPerDegree);
+        flip(linearColors(a), linearColors(b), a.width, a.height, options.pixelsPerDegree);
     double sum = 0;
     for (double error : result.flipErrors.values) sum += error;
     result.flip = sum / double(a.pixelCount());

@@ -21,12 +21,14 @@ struct Comparison {
     double maxError = 0;   ///< the largest difference of a value
     double meanError = 0;  ///< mean absolute difference
     double ssim = 1;       ///< structural similarity of luma: 1 when equal. Wang et al. 2004
-    double flip = 0;       ///< mean FLIP error, 0 to 1
-    Plane flipErrors;      ///< of every pixel
+    double flip = 0;       ///< mean FLIP error, 0 to 1; of linear pictures HDR-FLIP
+    double alphaOverlap = 1;  ///< pixels of which both cover half or more, over those of which either does; 1: neither
+    Plane flipErrors;         ///< of every pixel
+    Plane errors;             ///< the largest difference of a value of every pixel
 };
 
 /// `objectA` and `objectB` name the pictures in messages. An Error when they differ in size or kind
-/// (sRGB or linear). Linear pictures are cut to 0..1 for FLIP and SSIM.
+/// (sRGB or linear). Linear pictures are cut to 0..1 for SSIM.
 Result<Comparison> comparePictures(const Picture& a, const Picture& b, const std::string& objectA,
                                    const std::string& objectB, const CompareOptions& = {});
 

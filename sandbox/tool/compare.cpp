@@ -16,10 +16,8 @@ namespace {
 struct CompareArguments {
     std::string a;
     std::string b;
-    std::string diff;
-    std::optional<double> maxFlip;
-    std::optional<double> minPsnr;
-    std::optional<double> maxError;
+    std::string diff, error;
+    std::optional<double> maxFlip, minPsnr, maxError, minSsim, minAlphaOverlap;
     float pixelsPerDegree = kDefaultPixelsPerDegree;
 };
 
@@ -35,19 +33,21 @@ bool printMeasure(const char* name, double value, const char* unit, std::optiona
     return passed;
 }
 
-Result<void> saveHeatMap(const std::string& path, const Comparison& comparison) {
-    const std::vector<uint8_t> colors = heatMap(comparison.flipErrors);
+Result<void> saveHeatMap(const std::string& path, const Plane& errors) {
+    if (path.empty()) return {};
+    const std::vector<uint8_t> colors = heatMap(errors);
     PictureView view;
-    view.width = comparison.flipErrors.width;
-    view.height = comparison.flipErrors.height;
+    view.width = errors.width;
+    view.height = errors.height;
     view.rgba8 = colors;
     return saveImage(path, view);
 }
 
 Result<int> compare(const CompareArguments& arguments) {
-    if (!arguments.diff.empty())
-        if (auto format = imageFormatOf(arguments.diff); !format)
-            return tl::unexpected(format.error());
+    for (const std::string& path : {arguments.diff, arguments.error})
+        if (!path.empty())
+            if (auto format = imageFormatOf(path); !format)
+                return tl::unexpected(format.error());
     const auto a = loadPicture(arguments.a);
     if (!a) return tl::unexpected(a.error());
     const auto b = loadPicture(arguments.b);
@@ -60,10 +60,12 @@ Result<int> compare(const CompareArguments& arguments) {
     passed &= printMeasure("psnr", result->psnr, " dB", arguments.minPsnr, true);
     passed &= printMeasure("max error", result->maxError, "", arguments.maxError, false);
     printMeasure("mean error", result->meanError, "", {}, false);
-    printMeasure("ssim", result->ssim, "", {}, true);
-    if (!arguments.diff.empty())
-        if (auto saved = saveHeatMap(arguments.diff, *result); !saved)
-            return tl::unexpected(saved.error());
+    passed &= printMeasure("ssim", result->ssim, "", arguments.minSsim, true);
+    passed &= printMeasure("alpha", result->alphaOverlap, "", arguments.minAlphaOverlap, true);
+    if (auto saved = saveHeatMap(arguments.diff, result->flipErrors); !saved)
+        return tl::unexpected(saved.error());
+    if (auto saved = saveHeatMap(arguments.error, result->errors); !saved)
+        return tl::unexpected(saved.error());
     return passed ? kSuccess : kComparisonFailed;
 }
 
@@ -84,8 +86,14 @@ void addCompare(CLI::App& app, Action& action) {
     addLimit("--psnr", arguments->minPsnr, "Exit with 1 when the PSNR is under this (dB)");
     addLimit("--max-error", arguments->maxError,
              "Exit with 1 when a value differs by more than this (8 bit pictures: 0 to 1)");
+    addLimit("--ssim", arguments->minSsim,
+             "Exit with 1 when the structural similarity is under this (-1 to 1)");
+    addLimit("--alpha-overlap", arguments->minAlphaOverlap,
+             "Exit with 1 when less of what either covers is covered by both (0 to 1)");
     command->add_option("--diff", arguments->diff,
                         "Write the FLIP error of every pixel as a picture");
+    command->add_option("--error", arguments->error,
+                        "Write the largest difference of the values of every pixel as a picture");
     command
         ->add_option("--pixels-per-degree", arguments->pixelsPerDegree,
                      "Of the display as the viewer sees it, for FLIP")

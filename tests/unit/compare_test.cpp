@@ -1,4 +1,5 @@
 #include "renderer/capture/compare.h"
+#include "renderer/capture/hdr_flip.h"
 
 #include <gtest/gtest.h>
 
@@ -101,7 +102,61 @@ TEST(Compare, AlphaCountsWhereItIsNotOpaque) {
 TEST(Compare, LinearPicturesKeepTheirRangeInTheErrors) {
     const Comparison c = compared(uniform(12, 12, vec3(10), true), uniform(12, 12, vec3(14), true));
     EXPECT_NEAR(c.maxError, 4, 1e-6);
-    EXPECT_EQ(c.flip, 0);  // both are cut to white
+    EXPECT_GT(c.flip, 0.05);  // both would be white if they were cut to what a display shows
+}
+
+TEST(Compare, ExposuresGoFromTheBrightestPixelToTheMedian) {
+    // The curve of the paper gives 0.85 for 0.6 x with 0.4445 x² - 0.4715 x - 0.119 = 0: x = 1.2713, radiance 2.1189.
+    const float target = std::log2(2.1189f);
+    std::vector<vec3> pixels(9, vec3(0.25f));
+    pixels[4] = vec3(64);
+    pixels[5] = vec3(0);                 // nobody sees what has no light
+    pixels[6] = vec3(std::nanf(""));
+    const ExposureRange range = exposureRange(pixels);
+    EXPECT_NEAR(range.first, target - 6, 1e-3);
+    EXPECT_NEAR(range.last, target + 2, 1e-3);
+    EXPECT_EQ(range.count, 8u);
+    EXPECT_NEAR(range.stops(7), range.last, 1e-5);
+    const ExposureRange black = exposureRange(std::vector<vec3>(4, vec3(0)));
+    EXPECT_EQ(black.first, black.last);
+    EXPECT_NEAR(black.first, target, 1e-3);
+}
+
+TEST(Compare, HdrFlipIsTheWorstOfTheExposures) {
+    // Uniform pictures have one exposure: the reference is shown as 0.85, the test, of twice the light, as
+    // x = 2.5426: 0.9397. FLIP of those greys by the low dynamic range function.
+    const double hdr =
+        compared(uniform(12, 12, vec3(3), true), uniform(12, 12, vec3(6), true)).flip;
+    const std::vector<vec3> a(144, vec3(0.85f)), b(144, vec3(0.9397f));
+    EXPECT_NEAR(hdr, flipErrors(a, b, 12, 12, kDefaultPixelsPerDegree).values[0], 1e-4);
+    // In the light of a lamp of 1000 the dark half of the picture would be black: its error is seen all the same.
+    Picture lit = uniform(64, 64, vec3(0.02f), true), wrong = lit;
+    for (Picture* picture : {&lit, &wrong})
+        for (size_t i = 0; i < 64 * 16 * 4; i += 4)
+            std::fill_n(picture->rgba.begin() + ptrdiff_t(i), 3, 1000.0f);
+    for (size_t i = 64 * 48 * 4; i < wrong.rgba.size(); i += 4)
+        std::fill_n(wrong.rgba.begin() + ptrdiff_t(i), 3, 0.01f);
+    EXPECT_GT(compared(lit, wrong).flipErrors.values[64 * 62], 0.2);
+    EXPECT_LT(compared(lit, wrong).flipErrors.values[64 * 30], 0.01);
+}
+
+TEST(Compare, AlphaOverlapIsOfWhatEitherCovers) {
+    Picture a = uniform(4, 4, vec3(0)), b = a;
+    EXPECT_EQ(compared(a, b).alphaOverlap, 1);
+    for (size_t i = 0; i < 8; ++i) a.rgba[i * 4 + 3] = 0;  // the lower half is left
+    for (size_t i = 4; i < 16; ++i) b.rgba[i * 4 + 3] = 0;  // the first row is left
+    EXPECT_EQ(compared(a, b).alphaOverlap, 0);
+    for (size_t i = 8; i < 12; ++i) b.rgba[i * 4 + 3] = 0.5f;
+    EXPECT_NEAR(compared(a, b).alphaOverlap, 4.0 / 12, 1e-9);
+}
+
+TEST(Compare, EveryPixelHasItsLargestError) {
+    Picture b = uniform(10, 10, vec3(0.5f));
+    b.rgba[4 * 55 + 1] = 1;
+    b.rgba[4 * 55 + 2] = 0.4f;
+    const Comparison c = compared(uniform(10, 10, vec3(0.5f)), b);
+    EXPECT_NEAR(c.errors.values[55], 0.5, 1e-6);
+    EXPECT_EQ(c.errors.values[54], 0);
 }
 
 TEST(Compare, ANotANumberIsAnInfiniteError) {
