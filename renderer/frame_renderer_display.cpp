@@ -26,6 +26,7 @@ Result<void> FrameRenderer::planDisplay(const FrameInput& input, const FinalTarg
         if (settings.show == ShownImage::bloom) tonemap.radiance = bloom->bloom;
         else if (settings.bloom) tonemap.bloom = bloom->bloom;
         if (settings.autoExposure) {
+            if (settings.cut) exposurePass_.reset();
             const auto exposure =
                 exposurePass_.add(plan_, {bloom->smallest, bloom->smallestWidth,
                                           bloom->smallestHeight, &commands_, settings.deltaTime});

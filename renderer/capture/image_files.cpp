@@ -98,7 +98,9 @@ std::string oneLine(std::string text) {
     return text;
 }
 
-Result<std::vector<std::byte>> run(const std::string& name, const Encoding& e) {
+Result<std::vector<std::byte>> run(const std::string& name, Encoding e,
+                                   std::string_view description) {
+    if (!description.empty()) e.spec.attribute("ImageDescription", std::string(description));
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const auto output = OIIO::ImageOutput::create(e.fileName);
@@ -159,9 +161,9 @@ Result<std::vector<std::byte>> encodeImage(const std::string& name, ImageFormat 
                            : "An 8 bit sRGB picture is written as .png or .jpg.",
                     ErrorKind::wrongUse);
     switch (format) {
-        case ImageFormat::png: return run(name, pngEncoding(view));
-        case ImageFormat::jpeg: return run(name, jpegEncoding(view));
-        case ImageFormat::exr: return run(name, exrEncoding(view));
+        case ImageFormat::png: return run(name, pngEncoding(view), view.description);
+        case ImageFormat::jpeg: return run(name, jpegEncoding(view), view.description);
+        case ImageFormat::exr: return run(name, exrEncoding(view), view.description);
     }
     RL_CHECK(false, "an image format is one of the enumeration");
 }
@@ -196,6 +198,7 @@ Result<Picture> loadPicture(const std::string& path) {
     picture.width = uint32_t(spec.width);
     picture.height = uint32_t(spec.height);
     picture.linear = spec.format.is_floating_point();
+    picture.description = std::string(spec.get_string_attribute("ImageDescription"));
     picture.rgba = toRgba(values, size_t(channels));
     // Float formats are premultiplied by convention; OpenEXR has no other.
     if (!picture.linear) premultiply(picture.rgba);

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace rushlight {
@@ -14,6 +16,7 @@ struct PictureView {
     uint32_t height = 0;
     std::span<const uint8_t> rgba8;  ///< sRGB, straight alpha
     std::span<const float> rgba32f;  ///< linear, premultiplied alpha
+    std::string_view description;    ///< kept in the file; empty: none
 
     PictureView() = default;
     template <class Image>
@@ -28,6 +31,7 @@ struct Picture {
     uint32_t height = 0;
     bool linear = false;  ///< float files: radiance. Otherwise sRGB-encoded values from 0 to 1.
     std::vector<float> rgba;
+    std::string description = {};  ///< as PictureView's
 
     std::size_t pixelCount() const { return std::size_t(width) * height; }
 };

@@ -68,6 +68,9 @@ struct FrameSettings {
     float exposureValue = 0;     ///< EV100
     bool autoExposure = false;
     float deltaTime = 1.0f / 60;  ///< seconds since the last frame, for what adapts
+    /// The picture is the same whatever frames were before, but for what moves: the exposure is this frame's, levels of
+    /// detail and the sizes of shadow maps are chosen anew. Else they follow slowly and reluctantly.
+    bool cut = false;
     ToneMap toneMap = ToneMap::neutral;
     AntiAliasing antiAliasing = AntiAliasing::fxaa;
     bool dither = true;

@@ -39,12 +39,24 @@ void ShadowLights::begin(const FrameSettings& settings) {
     const uint32_t size = std::bit_floor(settings.shadowAtlasSize);
     largestLevel_ = uint32_t(std::countr_zero(
         std::clamp(std::bit_floor(settings.shadowTileSize), kSmallestTile, size)));
-    if (size == tiles_.size()) return;
+    before_.clear();
+    if (settings.cut) slots_.swap(before_);
+    if (size == tiles_.size() && !settings.cut) return;
+    if (size != tiles_.size()) before_.clear();
     slots_.reserve(kMaxSlots);  // faces are pointed at
     slots_.clear();
     slotOfLight_.clear();
     bias_ = 0;
     tiles_.reset(size, kSmallestTile);
+}
+
+// After a cut: what the square holds already, if it is this light's again.
+void ShadowLights::takeOver(ShadowFace& face, const Slot& slot, uint32_t index) const {
+    for (const Slot& was : before_)
+        if (was.identity == slot.identity && was.level && was.faces[index].tile == face.tile) {
+            face = was.faces[index];
+            return;
+        }
 }
 
 void ShadowLights::findWanted(const Inputs& in) {
@@ -195,6 +207,7 @@ bool ShadowLights::placeTiles(Slot& slot) {
         }
         slot.faces[f] = {};
         slot.faces[f].tile = *tile;
+        takeOver(slot.faces[f], slot, f);
     }
     slot.level = level;
     return true;
@@ -314,6 +327,7 @@ ShadowLights::Counts ShadowLights::select(const Inputs& inputs) {
 }
 
 void ShadowLights::forget() {
+    before_.clear();
     for (Slot& slot : slots_)
         for (ShadowFace& face : slot.faces) face.drawn = face.drawnStill = 0;
 }

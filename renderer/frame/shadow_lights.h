@@ -92,11 +92,13 @@ private:
     bool placeTiles(Slot& slot);
     bool evictOldest();
     void releaseTiles(Slot& slot);
+    void takeOver(ShadowFace& face, const Slot& slot, uint32_t index) const;
     void fillFaces(const Inputs&);
     void fillFace(const Inputs&, const Wanted&, uint32_t index);
 
     ShadowTiles tiles_;
     std::vector<Slot> slots_;
+    std::vector<Slot> before_;  ///< a cut: of the frame before it
     std::vector<uint32_t> slotOfLight_;
     std::vector<Wanted> wanted_;
     std::vector<ShadowFace*> faces_;

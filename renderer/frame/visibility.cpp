@@ -70,7 +70,8 @@ void Visibility::addToCamera(const Inputs& in, uint32_t object, InstanceRecord& 
     }
     const GpuMesh& mesh = *in.geometry->find(r.mesh);
     const float error = cameraScale_.maxError / (pixels * r.scale);
-    r.cameraLod = uint8_t(pickLodSteadily(mesh, error, r.cameraLod));
+    r.cameraLod = uint8_t(in.settings->cut ? pickLod(mesh, error)
+                                           : pickLodSteadily(mesh, error, r.cameraLod));
     const float depth = glm::dot(center - in.camera->position, in.camera->forward);
     const bool blended = r.surfaceFlags & kBlend;
     VisibleItem item;

@@ -1,9 +1,11 @@
 #include "renderer/capture/image_files.h"
 #include "renderer/capture/write_file.h"
 #include "sandbox/tool/command.h"
+#include "sandbox/tool/frame_key.h"
 #include "sandbox/tool/frame_runner.h"
 #include "sandbox/tool/options.h"
 #include "sandbox/tool/output_names.h"
+#include "sandbox/tool/sequence.h"
 
 #include <unistd.h>
 #include <nlohmann/json.hpp>
@@ -23,8 +25,7 @@ struct CaptureArguments {
     std::string saveFrame;
     bool hashes = false;
     std::optional<FrameRange> frames;
-    float framesPerSecond = 30;
-    Shard shard;
+    SequenceOptions sequence;
 };
 
 std::optional<ShownImage> findShownImage(const std::string& name) {
@@ -68,11 +69,12 @@ private:
     RenderSetup& setup_;
     FrameTimes times_;
     double firstFrameMs_ = -1;
+    std::optional<SequenceCounts> sequence_;
 };
 
 FrameInput Capture::input() const {
     FrameInput input = setup_.frame();
-    input.settings.deltaTime = 1 / arguments_.framesPerSecond;
+    input.settings.deltaTime = 1 / arguments_.sequence.framesPerSecond;
     if (const auto shown = findShownImage(arguments_.pass)) input.settings.show = *shown;
     return input;
 }
@@ -119,24 +121,16 @@ Result<void> Capture::allPasses() {
 }
 
 Result<void> Capture::sequence() {
-    const auto [first, last] = *arguments_.frames;
-    const uint64_t count = uint64_t(last) - first + 1;
-    const Shard shard = arguments_.shard;
-    const uint64_t begin = first + count * (shard.index - 1) / shard.count;
-    const uint64_t end = first + count * shard.index / shard.count;
-    const auto secondsOf = [&](double frame) {
-        return float(double(arguments_.render.time) + frame / double(arguments_.framesPerSecond));
-    };
-    // Where things were one frame before: the same in the first frame of a shard as in one long
-    // sequence.
-    if (auto posed = setup_.setTime(secondsOf(double(begin) - 1)); !posed) return posed;
-    for (uint64_t frame = begin; frame < end; ++frame) {
-        const auto path = frameFileName(arguments_.output, uint32_t(frame));
-        if (!path) return tl::unexpected(path.error());
-        if (auto posed = setup_.setTime(secondsOf(double(frame))); !posed) return posed;
-        if (auto written = write(input(), *path); !written) return written;
-        showProgress(uint32_t(frame - begin + 1), uint32_t(end - begin));
-    }
+    Sequence sequence(arguments_.sequence, setup_, [this] { return input(); });
+    FrameOptions options;
+    options.hashPasses = arguments_.hashes;
+    const auto counts = sequence.run(options, [&](const FrameReport& report) {
+        if (arguments_.hashes) printHashes(report);
+    });
+    if (!counts) return tl::unexpected(counts.error());
+    sequence_ = *counts;
+    times_ = sequence.times();
+    if (firstFrameMs_ < 0) firstFrameMs_ = sequence.firstFrameMs();
     return {};
 }
 
@@ -147,9 +141,14 @@ void Capture::showProgress(uint32_t done, uint32_t count) const {
 
 Result<void> Capture::writeStats() const {
     if (arguments_.render.stats.empty()) return {};
-    return writeJson(arguments_.render.stats,
-                     statsJson(setup_, arguments_.render.size, firstFrameMs_,
-                               setup_.renderer().report(), times_));
+    auto json = statsJson(setup_, arguments_.render.size, firstFrameMs_,
+                          setup_.renderer().report(), times_);
+    if (sequence_)
+        json["sequence"] = {{"rendered", sequence_->rendered},
+                            {"kept", sequence_->kept},
+                            {"writer_waits", sequence_->writerWaits},
+                            {"seconds", sequence_->seconds}};
+    return writeJson(arguments_.render.stats, json);
 }
 
 /// What can be known to be wrong before anything is loaded.
@@ -180,6 +179,39 @@ Result<int> capture(const CaptureArguments& arguments) {
     return kSuccess;
 }
 
+void prepareSequence(const CLI::App& command, CaptureArguments& arguments) {
+    SequenceOptions& sequence = arguments.sequence;
+    sequence.output = arguments.output;
+    sequence.frames = *arguments.frames;
+    sequence.size = arguments.render.size;
+    sequence.startTime = arguments.render.time;
+    sequence.key = frameKey(command, arguments.render,
+                            {"--output", "--frames", "--shard", "--resume", "--no-write", "--warmup",
+                             "--threads", "--context", "--stats", "--hashes", "--strict"});
+}
+
+void addSequenceOptions(CLI::App& command, CLI::Option& frames, SequenceOptions& sequence) {
+    command
+        .add_option("--fps", sequence.framesPerSecond, "Frames a second of the sequence")
+        ->check(finiteNumber())
+        ->check(CLI::Range(0.01f, 100000.0f))
+        ->capture_default_str()
+        ->needs(&frames);
+    command
+        .add_option_function<std::string>(
+            "--shard", [&sequence](const std::string& text) { sequence.shard = parseShard(text); },
+            "I/N: only this part of the sequence")
+        ->needs(&frames);
+    command
+        .add_flag("--resume", sequence.resume,
+                  "Keep the frames that are there, whole and of the same scene and options")
+        ->needs(&frames);
+    command
+        .add_flag("--no-write{false}", sequence.write,
+                  "Draw and read back the frames, but write no file: what writing costs")
+        ->needs(&frames);
+}
+
 }  // namespace
 
 void addCapture(CLI::App& app, Action& action) {
@@ -204,19 +236,13 @@ void addCapture(CLI::App& app, Action& action) {
         "--frames", [arguments](const std::string& text) { arguments->frames = parseFrames(text); },
         "A-B: a sequence of frames");
     frames->excludes(saveFrame);
-    command->add_option("--fps", arguments->framesPerSecond, "Frames a second of the sequence")
-        ->check(finiteNumber())
-        ->check(CLI::Range(0.01f, 100000.0f))
-        ->capture_default_str()
-        ->needs(frames);
-    command
-        ->add_option_function<std::string>(
-            "--shard",
-            [arguments](const std::string& text) { arguments->shard = parseShard(text); },
-            "I/N: only this part of the sequence")
-        ->needs(frames);
-    command->callback(
-        [&action, arguments] { action = [arguments] { return capture(*arguments); }; });
+    addSequenceOptions(*command, *frames, arguments->sequence);
+    command->callback([&action, command, arguments] {
+        action = [command, arguments] {
+            if (arguments->frames) prepareSequence(*command, *arguments);
+            return capture(*arguments);
+        };
+    });
 }
 
 }  // namespace rushlight::tool

@@ -17,3 +17,11 @@ target_compile_definitions(replay_cli_gl_test PRIVATE
 target_link_libraries(replay_cli_gl_test PRIVATE rushlight_core GTest::gtest_main rushlight_options)
 add_dependencies(replay_cli_gl_test rushlight)
 gtest_discover_tests(replay_cli_gl_test PROPERTIES TIMEOUT 120)
+
+add_executable(sequence_cli_gl_test sequence_cli_gl_test.cpp)
+target_compile_definitions(sequence_cli_gl_test PRIVATE
+  RUSHLIGHT_TOOL="$<TARGET_FILE:rushlight>" RUSHLIGHT_SOURCE="${PROJECT_SOURCE_DIR}")
+target_link_libraries(sequence_cli_gl_test PRIVATE
+  rushlight_capture nlohmann_json::nlohmann_json GTest::gtest_main rushlight_options)
+add_dependencies(sequence_cli_gl_test rushlight)
+gtest_discover_tests(sequence_cli_gl_test PROPERTIES TIMEOUT 300)

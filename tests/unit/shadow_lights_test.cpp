@@ -181,6 +181,40 @@ TEST_F(ShadowLightsTest, AFullAtlasMakesAllCoarserThenLeavesOutTheLeast) {
     EXPECT_GT(shadows.faces()[0]->tile.size, 0);
 }
 
+TEST_F(ShadowLightsTest, AfterACutItIsAsIfNothingHadBeen) {
+    Random random(5);
+    for (int i = 0; i < 24; ++i) add(random.vector(-12, 12), random.uniform(2, 9));
+    settings.shadowAtlasSize = 2048;
+    for (int i = 0; i < 40; ++i) {
+        lights[size_t(i) % 24].position = random.vector(-12, 12);
+        select(random.vector(-20, 20), random.vector(-3, 3));
+    }
+    settings.cut = true;
+    const auto tilesFrom = [&](ShadowLights& of) {
+        std::swap(of, shadows);
+        select({15, 4, 9}, {0, 0, 0});
+        std::swap(of, shadows);
+        std::vector<ShadowTile> tiles;
+        for (const ShadowFace* face : of.faces()) tiles.push_back(face->tile);
+        return tiles;
+    };
+    ShadowLights fresh, used = std::move(shadows);
+    shadows = {};
+    const auto tiles = tilesFrom(used);
+    EXPECT_GT(tiles.size(), 20u);
+    EXPECT_EQ(tiles, tilesFrom(fresh));
+    // What stands still stays as it was drawn, from cut to cut.
+    shadows = std::move(used);
+    EXPECT_GT(drawnFaces(), 0u);
+    select({15, 4, 9}, {0, 0, 0});
+    EXPECT_EQ(drawnFaces(), 0u);
+    lights[3].position.y += 0.1f;
+    const auto before = shadows.faces().size();
+    select({15, 4, 9}, {0, 0, 0});
+    EXPECT_EQ(shadows.faces().size(), before);
+    EXPECT_EQ(drawnFaces(), 6u);
+}
+
 TEST_F(ShadowLightsTest, TheSizeFollowsTheCameraReluctantly) {
     add({0, 0, 0}, 2);
     uint32_t changes = 0, last = 0;

@@ -1,0 +1,61 @@
+#include "sandbox/tool/frame_writer.h"
+
+#include "renderer/capture/image_files.h"
+
+namespace rushlight::tool {
+
+FrameWriter::FrameWriter(size_t mostWaiting)
+    : mostWaiting_(mostWaiting), thread_([this] { run(); }) {}
+
+FrameWriter::~FrameWriter() {
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+Result<void> FrameWriter::write(std::string path, CapturedImage image, std::string description) {
+    std::unique_lock lock(mutex_);
+    if (jobs_.size() >= mostWaiting_) {
+        ++waits_;
+        changed_.wait(lock, [&] { return jobs_.size() < mostWaiting_; });
+    }
+    if (!status_) return status_;
+    jobs_.push_back({std::move(path), std::move(description), std::move(image)});
+    changed_.notify_all();
+    return {};
+}
+
+Result<void> FrameWriter::finish() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return jobs_.empty() && !writing_; });
+    return status_;
+}
+
+void FrameWriter::run() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        changed_.wait(lock, [&] { return ends_ || !jobs_.empty(); });
+        if (jobs_.empty()) return;
+        const Job job = std::move(jobs_.front());
+        jobs_.pop_front();
+        writing_ = true;
+        const bool failed = !status_;
+        lock.unlock();
+        changed_.notify_all();
+        Result<void> saved;
+        if (!failed) {
+            PictureView view(job.image);
+            view.description = job.description;
+            saved = saveImage(job.path, view);
+        }
+        lock.lock();
+        writing_ = false;
+        if (!saved) status_ = saved;
+        changed_.notify_all();
+    }
+}
+
+}  // namespace rushlight::tool
