@@ -28,7 +28,7 @@ void GltfBuilder::buildVolume(const tinygltf::Value& value, Material& material) 
     const float thickness = numberOf(value, "thicknessFactor", 0);
     if (thickness <= 0 || material.transmission <= 0) return exact(kVolume);
     const bool textured = value.Has("thicknessTexture");
-    approximated(std::string(kVolume) + ": a body colours light once, at its surface and by its thicknessFactor" +
+    approximated(std::string(kVolume) + ": a body colours light once, at its surface and by its thicknessFactor, not scaled by nodes" +
                  (textured ? " (thicknessTexture is not read)" : "") + ", and does not refract it");
     if (!value.Has("attenuationColor") || !value.Has("attenuationDistance")) return;
     const float lengths = thickness / numberOf(value, "attenuationDistance", 1);

@@ -102,7 +102,6 @@ TEST(AssetsTransmission, BadNumbersAreErrors) {
     refused("KHR_materials_transmission", R"({"transmissionFactor":1.5})", "transmissionFactor");
     refused("KHR_materials_transmission", R"({"transmissionFactor":-0.1})", "transmissionFactor");
     refused("KHR_materials_transmission", R"({"transmissionFactor":"1"})", "transmissionFactor");
-    refused("KHR_materials_transmission", R"({"transmissionFactor":1e999})", "transmissionFactor");
     refused("KHR_materials_transmission", R"({"transmissionTexture":{"index":7}})", "index");
     refused("KHR_materials_volume", R"({"attenuationDistance":0})", "attenuationDistance");
     refused("KHR_materials_volume", R"({"attenuationColor":[0,2,0]})", "attenuationColor");
