@@ -276,7 +276,7 @@ TEST_F(DeviceGlTest, StateIsDefaultAtExitWhateverItWasAtEntry) {
 TEST_F(DeviceGlTest, ColoursMultiplyWhatIsThereAndTheGreaterAlphaStays) {
     PipelineDesc desc;
     desc.blend = BlendMode::absorbing;
-    const PipelineHandle absorbing = pipeline("color.frag", desc), plain = pipeline("color.frag");
+    const PipelineHandle absorbing = pipeline("color.frag", desc);
     desc.blend = BlendMode::additive;
     const PipelineHandle additive = pipeline("color.frag", desc);
     begin(0, target_, LoadOp::clear, {1, 1, 1, 0});

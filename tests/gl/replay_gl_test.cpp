@@ -139,6 +139,7 @@ TEST_F(ReplayGl, ColouredShadowsGiveTheSameBytes) {
     input.lighting.punctual = {&lamp, 1};
     input.settings.lightShadows = true;
     input.settings.shadowAtlasSize = 512;
+    input.settings.shadowTileSize = 128;
     input.settings.shadowResolution = 256;
     input.view.viewFromWorld = glm::lookAt(vec3(2, 3, 5), vec3(0, 0.5f, 0), vec3(0, 1, 0));
     for (int frame = 0; frame < 3; ++frame) {
