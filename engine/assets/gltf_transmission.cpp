@@ -28,23 +28,29 @@ void GltfBuilder::buildVolume(const tinygltf::Value& value, Material& material) 
     const float thickness = numberOf(value, "thicknessFactor", 0);
     if (thickness <= 0 || material.transmission <= 0) return exact(kVolume);
     const bool textured = value.Has("thicknessTexture");
-    approximated(std::string(kVolume) + ": a body colours light once, at its surface and by its thicknessFactor, not scaled by nodes" +
+    approximated(std::string(kVolume) +
+                 ": a body colours light once, at its surface and by its thicknessFactor, not scaled "
+                 "by nodes" +
                  (textured ? " (thicknessTexture is not read)" : "") + ", and does not refract it");
     if (!value.Has("attenuationColor") || !value.Has("attenuationDistance")) return;
     const float lengths = thickness / numberOf(value, "attenuationDistance", 1);
     const tinygltf::Value& color = value.Get("attenuationColor");
-    for (int c = 0; c < 3; ++c)
-        material.transmissionColor[c] = std::pow(float(color.Get(size_t(c)).GetNumberAsDouble()), lengths);
+    for (int c = 0; c < 3; ++c) {
+        const auto left = float(color.Get(size_t(c)).GetNumberAsDouble());
+        material.transmissionColor[c] = std::pow(left, lengths);
+    }
 }
 
 void GltfBuilder::buildTransmission(const tinygltf::Material& source, const std::string& what,
                                     Material& material) {
-    if (const auto found = source.extensions.find(kTransmission); found != source.extensions.end()) {
+    const auto end = source.extensions.end();
+    if (const auto found = source.extensions.find(kTransmission); found != end) {
         const tinygltf::Value& value = found->second;
         material.transmission = numberOf(value, "transmissionFactor", 0);
         if (material.transmission > 0)
             approximated(std::string(kTransmission) +
-                         ": what is behind is seen straight and sharp, as through a pane without thickness");
+                         ": what is behind is seen straight and sharp, as through a pane without "
+                         "thickness");
         else exact(kTransmission);
         if (value.Has("transmissionTexture")) {
             const tinygltf::Value& info = value.Get("transmissionTexture");
@@ -53,7 +59,7 @@ void GltfBuilder::buildTransmission(const tinygltf::Material& source, const std:
                                                         extensionsOf(info), false, what);
         }
     }
-    if (const auto found = source.extensions.find(kVolume); found != source.extensions.end())
+    if (const auto found = source.extensions.find(kVolume); found != end)
         buildVolume(found->second, material);
 }
 

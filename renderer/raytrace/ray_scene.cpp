@@ -196,7 +196,8 @@ void RayScene::State::chooseInstances(std::span<const Instance> instances) {
         p.glass = p.material->transmission > 0 && !p.material->unlit;
         if (p.material->alphaMode == AlphaMode::blend && !p.glass) continue;
         p.mesh = mesh->second.get();
-        p.closed = p.glass && isClosed(std::span(p.mesh->positions).first(p.mesh->vertexCount()), p.mesh->indices);
+        const auto positions = std::span(p.mesh->positions).first(p.mesh->vertexCount());
+        p.closed = p.glass && isClosed(positions, p.mesh->indices);
         p.index = uint32_t(i);
         placed.push_back(p);
         bounds.grow(transformAabb(p.worldFromLocal, p.mesh->bounds));
