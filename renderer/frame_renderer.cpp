@@ -45,6 +45,7 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       reflectionsPass_(device),
       shadowPass_(device),
       shadowAtlasPass_(device),
+      shadowGlassPass_(device),
       irradiancePass_(device),
       lightingPass_(device),
       fogPass_(device),
@@ -171,6 +172,8 @@ void FrameRenderer::fillLists() {
     add(lists_.movingEmission);
     for (uint32_t i = 0; i < sunViewCount_; ++i)
         if (shadows_.drawnViews >> i & 1) add(*sunViews_[i].casters);
+    for (uint32_t i = 0; i < sunViewCount_; ++i)
+        if (sunGlass_.drawnViews >> i & 1) add(*sunGlassViews_[i].casters);
     shadowSchedule_.forEachList(add);
     jobs_.forRanges(firstFillJobs_.back(), 1, [&](uint32_t begin, uint32_t end) {
         for (uint32_t job = begin; job < end; ++job) {

@@ -28,6 +28,7 @@
 #include "renderer/passes/lighting_pass.h"
 #include "renderer/passes/overlay_pass.h"
 #include "renderer/passes/shadow_atlas_pass.h"
+#include "renderer/passes/shadow_glass_pass.h"
 #include "renderer/passes/pyramid_pass.h"
 #include "renderer/passes/reflections_pass.h"
 #include "renderer/passes/shadow_pass.h"
@@ -67,6 +68,7 @@ public:
     Result<void> render(const FrameInput&, const FrameOutput&, const FrameOptions&);
     void forgetCaches() {
         shadowPass_.forget();
+        shadowGlassPass_.forget();
         shadowLights_.forget();
     }
     void setValidation(bool on) { validates_ = on; }
@@ -87,6 +89,8 @@ private:
     void bindShadowRecords(LightingBindings&);
     Result<void> addShadowPasses(const FrameInput&, LightingBindings&);
     Result<void> addLightShadowPass(LightingBindings&);
+    Result<void> addSunGlassPass(const FrameInput&, LightingBindings&);
+    Result<void> addLightGlassPass(LightingBindings&);
     Result<void> planPasses(const FrameInput&, const FrameOutput&, const CameraMatrices&);
     /// Whether the frame has them.
     bool contactShadows(const FrameInput& input) const {
@@ -129,6 +133,7 @@ private:
     ReflectionsPass reflectionsPass_;
     ShadowPass shadowPass_;
     ShadowAtlasPass shadowAtlasPass_;
+    ShadowGlassPass shadowGlassPass_;
     IrradiancePass irradiancePass_;
     LightingPass lightingPass_;
     FogPass fogPass_;
@@ -157,6 +162,8 @@ private:
     SecondSuns secondSuns_;
     std::array<ShadowPass::View, ShadowPass::kMaxViews> sunViews_;
     uint32_t sunViewCount_ = 0;
+    std::array<ShadowGlassPass::SunView, ShadowPass::kMaxViews> sunGlassViews_;
+    ShadowGlassPass::SunOutputs sunGlass_;
     std::vector<GpuShadowFace> shadowRecords_;  ///< where there are second suns
     FogGrid fogGrid_;
     DecalClusters decalClusters_;

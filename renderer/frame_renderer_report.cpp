@@ -36,7 +36,7 @@ void FrameRenderer::fillReport(const FrameInput& input) {
     const Lighting& l = input.lighting;
     r.lights = uint32_t(l.directional.size() + l.punctual.size() + l.area.size());
     r.lightsVisible = uint32_t(input.lighting.directional.size()) + clusters_.visibleLights;
-    r.shadowViewsDrawn = shadows_.drawn + uint32_t(shadowSchedule_.draws().size());
+    r.shadowViewsDrawn = shadows_.drawn + shadowSchedule_.drawn();
     r.shadowViewsCached = shadows_.cached + shadowSchedule_.cached();
     r.shadowLights = shadowLightCounts_.lights;
     r.shadowLightsReduced = shadowLightCounts_.reduced;

@@ -2,6 +2,7 @@
 #include "renderer/frame/lighting_setup.h"
 #include "renderer/frame_renderer.h"
 
+#include <bit>
 #include <cstring>
 
 namespace rushlight {
@@ -56,15 +57,20 @@ void FrameRenderer::planLightShadows(const FrameInput& input, const FrameOutput&
     shadowSchedule_.plan(schedule, jobs_);
     for (ShadowDraw& draw : shadowSchedule_.draws())
         draw.viewUniforms = uniforms(makeViewUniforms(draw.face->view));
+    for (GlassDraw& draw : shadowSchedule_.glassDraws())
+        draw.viewUniforms = uniforms(makeViewUniforms(draw.face->view));
 }
 
 Result<void> FrameRenderer::addSunShadowPass(const FrameInput& input, LightingBindings& lighting) {
-    const auto add = [&](const ShadowCascade& cascade, DrawList& casters) {
-        sunViews_[sunViewCount_++] = {&cascade, &casters, uniforms(makeViewUniforms(cascade))};
+    const auto add = [&](const ShadowCascade& cascade, DrawList& casters, DrawList& glass) {
+        const BufferRange view = uniforms(makeViewUniforms(cascade));
+        sunGlassViews_[sunViewCount_] = {&glass, view, 0};
+        sunViews_[sunViewCount_++] = {&cascade, &casters, view};
     };
-    for (uint32_t i = 0; i < cascades_.count; ++i) add(cascades_.cascades[i], lists_.casters[i]);
+    for (uint32_t i = 0; i < cascades_.count; ++i)
+        add(cascades_.cascades[i], lists_.casters[i], lists_.glass[i]);
     for (uint32_t i = 0; i < secondSuns_.viewCount(); ++i)
-        add(secondSuns_.cascade(i), secondSuns_.casters(i));
+        add(secondSuns_.cascade(i), secondSuns_.casters(i), secondSuns_.glass(i));
     ShadowPass::Inputs in;
     in.views = std::span(sunViews_).first(sunViewCount_);
     in.resolution = cascades_.resolution;
@@ -75,11 +81,31 @@ Result<void> FrameRenderer::addSunShadowPass(const FrameInput& input, LightingBi
     if (!shadows) return tl::unexpected(shadows.error());
     shadows_ = *shadows;
     lighting.shadowMap = shadows_.map;
+    return addSunGlassPass(input, lighting);
+}
+
+Result<void> FrameRenderer::addSunGlassPass(const FrameInput& input, LightingBindings& lighting) {
+    for (uint32_t i = 0; i < sunViewCount_; ++i) sunGlassViews_[i].opaque = shadows_.contents[i];
+    ShadowGlassPass::SunInputs in;
+    in.views = std::span(sunGlassViews_).first(sunViewCount_);
+    in.map = shadows_.map;
+    in.resolution = cascades_.resolution;
+    in.binder = {&geometry, &materials};
+    in.caching = input.settings.shadowCaching;
+    const auto glass = shadowGlassPass_.addSun(plan_, in);
+    if (!glass) return tl::unexpected(glass.error());
+    sunGlass_ = *glass;
+    lighting.sunGlass = sunGlass_.glass;
+    lighting.features.sunGlass = bool(sunGlass_.glass);
+    const auto more = uint32_t(std::popcount(sunGlass_.drawnViews & ~shadows_.drawnViews));
+    shadows_.drawn += more;
+    shadows_.cached -= more;
     return {};
 }
 
 Result<void> FrameRenderer::addShadowPasses(const FrameInput& input, LightingBindings& lighting) {
     shadows_ = {};
+    sunGlass_ = {};
     sunViewCount_ = 0;
     if (cascades_.count > 0)
         if (auto ok = addSunShadowPass(input, lighting); !ok) return ok;
@@ -111,6 +137,20 @@ Result<void> FrameRenderer::addLightShadowPass(LightingBindings& lighting) {
     auto atlas = shadowAtlasPass_.add(plan_, in);
     if (!atlas) return tl::unexpected(atlas.error());
     lighting.shadowAtlas = atlas->atlas;
+    return shadowSchedule_.hasGlass() ? addLightGlassPass(lighting) : Result<void>();
+}
+
+Result<void> FrameRenderer::addLightGlassPass(LightingBindings& lighting) {
+    ShadowGlassPass::AtlasInputs in;
+    in.draws = shadowSchedule_.glassDraws();
+    in.atlas = lighting.shadowAtlas;
+    in.size = shadowLights_.atlasSize();
+    in.binder = {&geometry, &materials};
+    const auto glass = shadowGlassPass_.addAtlas(plan_, in);
+    if (!glass) return tl::unexpected(glass.error());
+    lighting.atlasGlass = *glass;
+    lighting.features.atlasGlass =
+        lighting.features.punctualShadow || lighting.features.areaShadow;
     return {};
 }
 

@@ -14,6 +14,8 @@ set(RUSHLIGHT_SHADER_FILES
   common/fullscreen.glsl
   common/fullscreen.vert
   common/gbuffer.glsl
+  common/glass_depth.glsl
+  common/glass_shadow.glsl
   common/irradiance_probes.glsl
   common/light_patterns.glsl
   common/lighting.glsl
@@ -32,6 +34,7 @@ set(RUSHLIGHT_SHADER_FILES
   common/screen_space.glsl
   common/sun_shadow.glsl
   common/surface_inputs.glsl
+  common/transmission.glsl
   interop/bindings.h
   interop/brdf.h
   interop/encode.h
@@ -72,6 +75,8 @@ set(RUSHLIGHT_SHADER_FILES
   passes/luminance.frag
   passes/overlay.frag
   passes/overlay.vert
+  passes/shadow_glass.frag
+  passes/shadow_glass_clear.frag
   passes/shadow_tile.frag
   passes/shadow_tile.vert
   passes/pyramid.frag

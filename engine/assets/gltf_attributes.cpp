@@ -141,7 +141,8 @@ void GltfBuilder::noteAttributes(const tinygltf::Primitive& source, const std::s
         const Material& material = model_.materials[size_t(source.material)];
         for (const TextureUse* use :
              {&material.baseColorTexture, &material.metallicRoughnessTexture,
-              &material.normalTexture, &material.occlusionTexture, &material.emissiveTexture}) {
+              &material.normalTexture, &material.occlusionTexture, &material.emissiveTexture,
+              &material.transmissionTexture}) {
             const std::string semantic = "TEXCOORD_" + std::to_string(use->uvSet);
             if (use->image >= 0 && !source.attributes.count(semantic))
                 unsupported(what + ": a texture on " + semantic + ", which it does not have");

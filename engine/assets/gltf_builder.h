@@ -30,6 +30,11 @@ private:
     void noteMaterialExtensions(const tinygltf::Material& source, const std::string& what);
     void decodeImages();
 
+    // gltf_transmission.cpp
+    void buildTransmission(const tinygltf::Material& source, const std::string& what,
+                           Material& material);
+    void buildVolume(const tinygltf::Value& value, Material& material);
+
     // gltf_geometry.cpp
     void buildMeshes();
     void buildPrimitive(Mesh& mesh, const tinygltf::Primitive& source, const std::string& what);

@@ -101,7 +101,7 @@ void GltfBuilder::noteMaterialExtensions(const tinygltf::Material& source,
     for (const auto& [name, value] : source.extensions) {
         if (name == "KHR_materials_emissive_strength" || name == "KHR_materials_unlit")
             exact(name);
-        else
+        else if (name != "KHR_materials_transmission" && name != "KHR_materials_volume")
             unsupported(what + ": " + name);
     }
 }
@@ -133,6 +133,7 @@ Material GltfBuilder::buildMaterial(const tinygltf::Material& source, const std:
     const auto strength = source.extensions.find("KHR_materials_emissive_strength");
     if (strength != source.extensions.end())
         material.emissive *= toFloat(strength->second, "emissiveStrength", 1);
+    buildTransmission(source, what, material);
     noteMaterialExtensions(source, what);
     return material;
 }

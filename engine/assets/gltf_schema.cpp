@@ -15,11 +15,11 @@ constexpr std::array<const char*, 13> kArrays = {
     "meshes",    "nodes",      "samplers", "scenes",     "skins",    "textures"};
 
 /// What loadModel does, exactly or as far as the picture is concerned; anything else required is refused.
-constexpr std::array<std::string_view, 10> kSupported = {
+constexpr std::array<std::string_view, 12> kSupported = {
     "KHR_lights_punctual",   "KHR_texture_transform", "KHR_materials_emissive_strength",
     "KHR_materials_unlit",   "KHR_mesh_quantization", "EXT_texture_webp",
     "EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "EXT_lights_ies",
-    "EXT_lights_image_based"};
+    "EXT_lights_image_based", "KHR_materials_transmission", "KHR_materials_volume"};
 
 void checkAsset(const JsonObject& root) {
     const JsonObject asset(*root.object("asset", Need::required), "asset");

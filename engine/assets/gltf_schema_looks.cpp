@@ -26,6 +26,21 @@ void checkTextureInfo(const Counts& counts, const JsonObject& owner, const char*
     }
 }
 
+void checkTransmission(const Counts& counts, const JsonObject& material) {
+    if (const Json* json = findExtension(material, "KHR_materials_transmission")) {
+        const JsonObject extension(*json, material.what() + " KHR_materials_transmission");
+        extension.number("transmissionFactor", 0, 1);
+        checkTextureInfo(counts, extension, "transmissionTexture");
+    }
+    if (const Json* json = findExtension(material, "KHR_materials_volume")) {
+        const JsonObject extension(*json, material.what() + " KHR_materials_volume");
+        extension.number("thicknessFactor", 0, FLT_MAX);
+        checkTextureInfo(counts, extension, "thicknessTexture");
+        extension.number("attenuationDistance", kJustAboveZero, FLT_MAX);
+        extension.numbers("attenuationColor", 3, 0, 1);
+    }
+}
+
 void checkMaterial(const Counts& counts, const JsonObject& material) {
     if (const Json* json = material.object("pbrMetallicRoughness")) {
         const JsonObject pbr(*json, material.what() + " pbrMetallicRoughness");
@@ -42,6 +57,7 @@ void checkMaterial(const Counts& counts, const JsonObject& material) {
     material.oneOf("alphaMode", {"OPAQUE", "MASK", "BLEND"});
     material.number("alphaCutoff", 0, FLT_MAX);
     material.boolean("doubleSided");
+    checkTransmission(counts, material);
     if (const Json* json = findExtension(material, "KHR_materials_emissive_strength"))
         JsonObject(*json, material.what() + " KHR_materials_emissive_strength")
             .number("emissiveStrength", 0, FLT_MAX);

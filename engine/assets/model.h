@@ -67,6 +67,9 @@ struct Material {
     TextureUse emissiveTexture;
     AlphaMode alphaMode = AlphaMode::opaque;
     float alphaCutoff = 0.5f;
+    float transmission = 0;  ///< KHR_materials_transmission, 0 to 1
+    TextureUse transmissionTexture;  ///< R, linear
+    vec3 transmissionColor{1};  ///< what KHR_materials_volume leaves of the light over its thickness
     bool doubleSided = false;
     bool unlit = false;
 };

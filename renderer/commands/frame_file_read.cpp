@@ -211,7 +211,7 @@ private:
         d.depthClamp = in_.flag();
         d.depthTest = in_.choice(CompareOp::less, "a pipeline's depth test");
         d.depthWrite = in_.flag();
-        d.blend = in_.choice(BlendMode::additive, "a pipeline's blending");
+        d.blend = in_.choice(BlendMode::absorbing, "a pipeline's blending");
         d.lines = in_.flag();
         d.depthBias = in_.number();
         d.depthBiasSlope = in_.number();

@@ -105,6 +105,8 @@ enum class BlendMode : uint8_t {
     off,
     premultiplied,  ///< one, one minus source alpha
     additive,       ///< one, one
+    filtered,       ///< one, the shader's second output of target 0: what is behind, seen through a colour
+    absorbing,      ///< colour: the product of both; alpha: the greater one
 };
 
 /// How a pipeline reads vertices. Locations and binding slots: shaders/interop/bindings.h.

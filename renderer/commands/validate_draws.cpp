@@ -50,6 +50,9 @@ bool CommandChecker::prepareDraw() {
     if (rules_ == ValidationRules::all && pipeline_->depthWrite && pass_->depth.readOnly)
         fault("The pipeline " + pipelineName() + " writes depth; " + nameOf(pass_->depth.texture) +
               " is read-only in this pass.");
+    if (pipeline_->blend == BlendMode::filtered && pass_->colorCount > 1)
+        fault("The pipeline " + pipelineName() + " writes two outputs for one target; the pass has " +
+              std::to_string(pass_->colorCount) + " targets.");
     checkStreams();
     checkProgram();
     return true;

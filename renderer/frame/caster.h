@@ -17,6 +17,19 @@ inline uint32_t shadowFlags(uint32_t flags, const GpuMesh& mesh) {
     return flags & (kMirrored | kExtended);
 }
 
+/// What colours light needs to be known of by its colour; its backs are left out as those of other casters.
+inline uint32_t glassFlags(uint32_t flags, const GpuMesh& mesh) {
+    constexpr uint32_t kUsed = kTransmission | kTransmissionTexture | kBaseColorTexture |
+                               kMetallicRoughnessTexture | kSecondUv | kUvTransforms | kAlphaMask |
+                               kExtended;
+    const bool open = !mesh.closed || (flags & kDoubleSided);
+    return (flags & kUsed) | (open ? uint32_t(kDoubleSided) : flags & kMirrored);
+}
+
+/// Light goes through it and takes its colour. Surfaces that are blended by alpha alone do nothing to light.
+inline bool coloursLight(const InstanceRecord& r) {
+    return (r.surfaceFlags & kTransmission) && (r.instanceFlags & kInstanceCastsShadow);
+}
 inline bool castsShadow(const InstanceRecord& r) {
     return !(r.surfaceFlags & kBlend) && (r.instanceFlags & kInstanceCastsShadow);
 }
@@ -26,9 +39,11 @@ inline VisibleItem makeCaster(uint32_t object, const InstanceRecord& r, const Gp
                               float maxError, float texelsPerMetre) {
     VisibleItem item;
     item.object = object;
-    item.flags = uint16_t(shadowFlags(r.surfaceFlags, mesh));
+    const bool glass = r.surfaceFlags & kTransmission;
+    item.flags = (glass ? glassFlags(r.surfaceFlags, mesh) : shadowFlags(r.surfaceFlags, mesh)) &
+                 kSurfaceFlags;
     item.lod = uint8_t(pickLod(mesh, maxError / (texelsPerMetre * r.scale)));
-    item.key = shadowKey(item.flags, item.flags & kAlphaMask ? r.textureSet : 0, r.mesh.index(),
+    item.key = shadowKey(item.flags, item.flags & (kAlphaMask | kTransmission) ? r.textureSet : 0, r.mesh.index(),
                          item.lod);
     return item;
 }

@@ -51,7 +51,7 @@ uint64_t opaqueKey(uint32_t flags, uint32_t textureSet, uint32_t mesh, uint32_t 
 
 // Casters: by state and mesh.
 //
-//     63     48 47         38 37   23 22   3 2   0
+//     63     48 47         38 37   23 22   3 2   0   flags: the lowest 16
 //     [ flags ][ texture set ][ zero ][ mesh ][lod]
 uint64_t shadowKey(uint32_t flags, uint32_t textureSet, uint32_t mesh, uint32_t lod) {
     return uint64_t(flags) << 48 | uint64_t(textureSet & 0x3ff) << 38 |
@@ -116,7 +116,7 @@ void DrawList::arrange(const FrameWorlds& worlds, const GeometryStore& geometry,
         const InstanceRecord& r = worlds.record(item.object);
         const GpuMesh& mesh = *geometry.find(r.mesh);
         const bool moving = item.flags & kMoving;
-        const uint32_t set = !kind.casters || (item.flags & kAlphaMask) ? r.textureSet : 0;
+        const uint32_t set = !kind.casters || (item.flags & (kAlphaMask | kTransmission)) ? r.textureSet : 0;
         DrawBatch* batch = batches.empty() ? nullptr : &batches.back();
         if (!batch || batch->surfaceFlags != item.flags || batch->textureSet != set ||
             batch->extended != mesh.extended) {
@@ -211,7 +211,7 @@ void DrawBinder::record(CommandBuffer& commands, const DrawList& list) const {
             const TextureSet& set = materials->textureSet(batch.textureSet);
             for (uint32_t slot = 0; slot < kTextureSlots; ++slot)
                 if (set[slot].texture)
-                    commands.push(BindTexture{slot, set[slot].texture, set[slot].sampler});
+                    commands.push(BindTexture{kMaterialUnits[slot], set[slot].texture, set[slot].sampler});
             textureSet = batch.textureSet;
         }
         BufferRange range = list.commandRange;

@@ -15,9 +15,8 @@ namespace rushlight {
 struct VisibleItem {
     uint64_t key = 0;     ///< see opaqueKey, shadowKey and blendKey
     uint32_t object = 0;  ///< of FrameWorlds; decides between equal keys
-    uint16_t flags = 0;   ///< surface flags of the program that draws it
-    uint8_t lod = 0;      ///< of GpuMesh::lods
-    uint8_t reserved = 0;
+    uint32_t flags : 24 = 0;  ///< surface flags of the program that draws it
+    uint32_t lod : 8 = 0;     ///< of GpuMesh::lods
 };
 static_assert(sizeof(VisibleItem) == 16);
 
@@ -68,7 +67,7 @@ public:
 
     /// What the items have in common.
     struct Kind {
-        bool casters = false;  ///< materials only matter where alpha cuts
+        bool casters = false;  ///< materials only matter where alpha cuts or light goes through
         bool blended = false;  ///< triangles keep the order that they were given in
         FacingEye eye{0};      ///< triangles whose backs it sees are left out where backs are culled; all zero:
                                ///< none, as what that takes is more than shadow maps win by it

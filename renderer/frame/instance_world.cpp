@@ -208,7 +208,7 @@ bool InstanceWorld::resolve(InstanceRecord& record, const GeometryStore& geometr
     if (!mesh->hasTangents) flags &= ~uint32_t(kNormalTexture);
     if (glm::determinant(mat3(record.worldFromLocal)) < 0) flags |= kMirrored;
     if (moving) flags |= kMoving;
-    record.surfaceFlags = uint16_t(flags);
+    record.surfaceFlags = flags;
     return changed;
 }
 

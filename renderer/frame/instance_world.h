@@ -27,7 +27,7 @@ struct alignas(64) InstanceRecord {
     uint32_t previousTransform = 0;
     uint32_t materialTexel = 0;
     uint32_t stamp = 0;         ///< another one whenever what is drawn changed
-    uint16_t surfaceFlags = 0;  ///< of surface_variant.h
+    uint32_t surfaceFlags = 0;  ///< of surface_variant.h
     uint16_t textureSet = 0;
     bool valid = false;     ///< false: left out, see FrameReport::rejected
     uint8_t cameraLod = 0;  ///< the level last shown to the camera

@@ -24,6 +24,7 @@ constexpr Slot kSlots[kTextureSlots] = {
     {&MaterialDesc::normalTexture, kNormalTexture, "normal"},
     {&MaterialDesc::occlusionTexture, kOcclusionTexture, "occlusion"},
     {&MaterialDesc::emissiveTexture, kEmissiveTexture, "emissive"},
+    {&MaterialDesc::transmissionTexture, kTransmissionTexture, "transmission"},
 };
 
 bool isIdentity(const TextureSlot& slot) {
@@ -37,9 +38,10 @@ bool sameLookup(const TextureSlot& a, const TextureSlot& b) {
 
 uint32_t surfaceFlags(const MaterialDesc& desc) {
     uint32_t flags = 0;
+    const bool transmits = desc.transmission > 0 && !desc.unlit;
     for (const Slot& slot : kSlots) {
         const TextureSlot& texture = desc.*slot.texture;
-        if (!texture.image) continue;
+        if (!texture.image || (slot.flag == kTransmissionTexture && !transmits)) continue;
         flags |= slot.flag;
         if (texture.uvSet == 1) flags |= kSecondUv;
         if (!isIdentity(texture)) flags |= kUvTransforms;
@@ -51,6 +53,7 @@ uint32_t surfaceFlags(const MaterialDesc& desc) {
         flags = (flags & ~uint32_t(kOcclusionTexture)) | kOcclusionInMetallicRoughness;
     if (desc.alphaMode == AlphaMode::mask) flags |= kAlphaMask;
     if (desc.alphaMode == AlphaMode::blend) flags |= kBlend;
+    if (transmits) flags |= kBlend | kTransmission;
     if (desc.doubleSided) flags |= kDoubleSided;
     if (desc.unlit) {
         flags |= kUnlit;
@@ -88,6 +91,11 @@ Result<void> MaterialStore::check(const MaterialDesc& desc) const {
                       desc.normalScale + desc.occlusionStrength + desc.emissive.x +
                       desc.emissive.y + desc.emissive.z + desc.alphaCutoff;
     if (!std::isfinite(sum)) return fail(object, "one of its factors is not finite.");
+    const vec3 color = desc.transmissionColor;
+    for (const float share : {desc.transmission, color.x, color.y, color.z})
+        if (!(share >= 0 && share <= 1))
+            return fail(object, "its transmission or a channel of the transmission's colour is " +
+                                    std::to_string(share) + ", not within 0 to 1.");
     return {};
 }
 
@@ -162,8 +170,15 @@ void MaterialStore::pack(Stored& stored) {
     texels_.push_back({half2(emissive.x, emissive.y), half2(emissive.z, desc.alphaCutoff),
                        layers[0] | layers[1] << 10 | layers[2] << 20,
                        layers[3] | layers[4] << 10 | uvSets << 20});
+    const bool transmits = stored.gpu.surfaceFlags & kTransmission;
+    if (transmits) {
+        const vec3 color = desc.transmissionColor;
+        const float alphaCovers = desc.alphaMode == AlphaMode::blend ? 1.0f : 0.0f;
+        texels_.push_back({half2(desc.transmission, alphaCovers), half2(color.x, color.y),
+                           half2(color.z, 0), layers[5]});
+    }
     if (!(stored.gpu.surfaceFlags & kUvTransforms)) return;
-    for (const Slot& slot : kSlots) {
+    for (const Slot& slot : std::span(kSlots).first(transmits ? 6 : 5)) {
         const TextureSlot& t = desc.*slot.texture;
         const float c = std::cos(t.rotation), s = std::sin(t.rotation);
         // KHR_texture_transform: uv' = translation * rotation * scale * uv, rotation counter-clockwise in image space

@@ -4,13 +4,18 @@
 #include "renderer/backend/device.h"
 #include "renderer/frame/frame_input.h"
 #include "renderer/frame/texture_store.h"
+#include "shaders/interop/bindings.h"
 
 #include <array>
 #include <vector>
 
 namespace rushlight {
 
-inline constexpr uint32_t kTextureSlots = 5;  ///< RL_TEXTURE_BASE_COLOR to RL_TEXTURE_EMISSIVE
+/// Base colour, metallic-roughness, normal, occlusion, emissive, transmission
+inline constexpr uint32_t kTextureSlots = 6;
+inline constexpr std::array<uint32_t, kTextureSlots> kMaterialUnits = {
+    RL_TEXTURE_BASE_COLOR, RL_TEXTURE_METALLIC_ROUGHNESS, RL_TEXTURE_NORMAL,
+    RL_TEXTURE_OCCLUSION,  RL_TEXTURE_EMISSIVE,           RL_TEXTURE_TRANSMISSION};
 
 struct TextureBinding {
     TextureHandle texture;

@@ -65,8 +65,14 @@ struct MaterialDesc {
     TextureSlot occlusionTexture;  ///< R
     vec3 emissive{0};              ///< radiance in the units of the lights, unbounded
     TextureSlot emissiveTexture;   ///< srgb
-    AlphaMode alphaMode = AlphaMode::opaque;
+    AlphaMode alphaMode = AlphaMode::opaque;  ///< coverage; what is covered may still let light through
     float alphaCutoff = 0.5f;
+    /// KHR_materials_transmission: the share, 0 to 1, of the light that is not mirrored that goes through, coloured by
+    /// the base colour, as through a pane without thickness: not refracted, not blurred. Above 0 the surface is drawn
+    /// with the blended ones, and colours the light behind it instead of hiding it. Nothing where `unlit`.
+    float transmission = 0;
+    TextureSlot transmissionTexture;  ///< R
+    vec3 transmissionColor{1};        ///< 0 to 1, times the base colour: what a body behind the surface absorbs
     bool doubleSided = false;
     bool unlit = false;
 };

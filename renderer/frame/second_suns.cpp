@@ -56,9 +56,12 @@ void SecondSuns::plan(const Inputs& in, JobSystem& jobs) {
     visibility_.gather({in.worlds, in.geometry, asked_}, jobs);
     jobs.forRanges(viewCount(), 1, [&](uint32_t begin, uint32_t end) {
         for (uint32_t i = begin; i < end; ++i) {
-            const auto items = visibility_.found(i).items;
-            lists_[i].items.assign(items.begin(), items.end());
-            lists_[i].arrange(in.worlds, *in.geometry, {.casters = true});
+            const auto list = [&](DrawList& out, std::span<const VisibleItem> items) {
+                out.items.assign(items.begin(), items.end());
+                out.arrange(in.worlds, *in.geometry, {.casters = true});
+            };
+            list(lists_[i], visibility_.found(i).items);
+            list(glass_[i], visibility_.foundGlass(i).items);
         }
     });
 }

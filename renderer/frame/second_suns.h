@@ -46,6 +46,7 @@ public:
         return cascades_[view / cascadesOfEach()].cascades[view % cascadesOfEach()];
     }
     DrawList& casters(uint32_t view) { return lists_[view]; }
+    DrawList& glass(uint32_t view) { return glass_[view]; }
     std::span<const GpuSecondSun> gpu() const { return {gpu_.data(), suns_}; }
 
 private:
@@ -54,7 +55,7 @@ private:
     uint32_t suns_ = 0;
     std::array<ShadowCascades, kMost> cascades_;
     std::array<ShadowView, kMost * kCascades> views_;
-    std::array<DrawList, kMost * kCascades> lists_;
+    std::array<DrawList, kMost * kCascades> lists_, glass_;
     std::array<GpuSecondSun, kMost> gpu_;
     std::vector<const ShadowView*> asked_;
     ShadowVisibility visibility_;

@@ -329,7 +329,7 @@ ShadowLights::Counts ShadowLights::select(const Inputs& inputs) {
 void ShadowLights::forget() {
     before_.clear();
     for (Slot& slot : slots_)
-        for (ShadowFace& face : slot.faces) face.drawn = face.drawnStill = 0;
+        for (ShadowFace& face : slot.faces) face.drawn = face.drawnStill = face.drawnGlass = 0;
 }
 
 }  // namespace rushlight

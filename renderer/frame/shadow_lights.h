@@ -26,6 +26,8 @@ struct ShadowFace {
     uint64_t drawn = 0;         ///< what the atlas holds there
     uint64_t drawnView = 0;     ///< viewKey of that
     uint64_t drawnStill = 0;    ///< what the layer of still casters holds there
+    uint64_t stillGlass = 0, movingGlass = 0;  ///< hashes as above, of the casters that colour light
+    uint64_t drawnGlass = 0;    ///< what the map of their colours holds there
 };
 
 class ShadowLights {

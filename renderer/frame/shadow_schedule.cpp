@@ -2,6 +2,8 @@
 
 #include "engine/core/hash.h"
 
+#include <algorithm>
+
 namespace rushlight {
 namespace {
 
@@ -10,6 +12,13 @@ constexpr uint32_t kStill = 0, kMoving = 1;  // indices of a world
 uint64_t stillContent(const ShadowFace& face) { return mixBits(face.viewKey ^ mixBits(face.stillHash)) | 1; }
 uint64_t content(const ShadowFace& face) {
     return mixBits(stillContent(face) + mixBits(face.movingHash)) | 1;
+}
+bool seesGlass(const ShadowFace* face) { return face->stillGlass || face->movingGlass; }
+// What hides light hides what colours it.
+uint64_t glassContent(const ShadowFace& face) {
+    constexpr uint64_t kEmpty = 1;
+    if (!seesGlass(&face)) return kEmpty;
+    return mixBits(content(face) + mixBits(face.stillGlass) + mixBits(face.movingGlass ^ 1)) | 1;
 }
 
 }  // namespace
@@ -37,22 +46,24 @@ void ShadowSchedule::hashCasters(const Inputs& in, uint32_t index, JobSystem& jo
     visibility_.gather({in.worlds, in.geometry, views_, 1u << index}, jobs);
     for (uint32_t i = 0; i < asked_.size(); ++i) {
         ShadowFace& face = *asked_[i];
-        const uint64_t hash = visibility_.found(i).hash;
-        (index == kStill ? face.stillHash : face.movingHash) = hash;
+        (index == kStill ? face.stillHash : face.movingHash) = visibility_.found(i).hash;
+        (index == kStill ? face.stillGlass : face.movingGlass) = visibility_.foundGlass(i).hash;
         (index == kStill ? face.stillVersion : face.movingVersion) = key(face);
     }
 }
 
 void ShadowSchedule::chooseDraws(const Inputs& in) {
     draws_.clear();
+    glassDraws_.clear();
     for (auto& requests : requests_) requests.clear();
-    cached_ = 0;
+    hasGlass_ = std::ranges::any_of(in.faces, seesGlass);
+    drawn_ = cached_ = 0;
     for (ShadowFace* face : in.faces) {
+        const bool drawsGlass = hasGlass_ && chooseGlass(in, *face);
         const uint64_t wanted = content(*face);
-        if (in.caching && face->drawn == wanted) {
-            ++cached_;
-            continue;
-        }
+        const bool isGood = in.caching && face->drawn == wanted;
+        ++(isGood && !drawsGlass ? cached_ : drawn_);
+        if (isGood) continue;
         const uint32_t number = uint32_t(draws_.size());
         ShadowDraw& draw = draws_.emplace_back();
         draw.face = face;
@@ -68,6 +79,14 @@ void ShadowSchedule::chooseDraws(const Inputs& in) {
         face->drawn = wanted;
         face->drawnView = face->viewKey;
     }
+}
+
+bool ShadowSchedule::chooseGlass(const Inputs& in, ShadowFace& face) {
+    const uint64_t wanted = glassContent(face);
+    if (in.caching && face.drawnGlass == wanted) return false;
+    face.drawnGlass = wanted;
+    glassDraws_.push_back({&face, nullptr, {}});
+    return true;
 }
 
 // Gives each draw that wants casters of that index a list with them.
@@ -91,14 +110,31 @@ void ShadowSchedule::listCasters(const Inputs& in, uint32_t index, JobSystem& jo
     });
 }
 
+void ShadowSchedule::listGlass(const Inputs& in, JobSystem& jobs) {
+    if (glassDraws_.empty()) return;
+    views_.clear();
+    for (const GlassDraw& draw : glassDraws_) views_.push_back(&draw.face->view);
+    visibility_.gather({in.worlds, in.geometry, views_}, jobs);
+    for (uint32_t i = 0; i < glassDraws_.size(); ++i) {
+        const auto items = visibility_.foundGlass(i).items;
+        if (items.empty()) continue;
+        DrawList& list = lists_[usedLists_++];
+        list.items.assign(items.begin(), items.end());
+        list.arrange(in.worlds, *in.geometry, {.casters = true});
+        glassDraws_[i].casters = &list;
+    }
+}
+
 void ShadowSchedule::plan(const Inputs& in, JobSystem& jobs) {
     hashCasters(in, kStill, jobs);
     hashCasters(in, kMoving, jobs);
     chooseDraws(in);
     usedLists_ = 0;
-    if (lists_.size() < 2 * draws_.size()) lists_.resize(2 * draws_.size());
+    const size_t most = 2 * draws_.size() + glassDraws_.size();
+    if (lists_.size() < most) lists_.resize(most);
     listCasters(in, kStill, jobs);
     listCasters(in, kMoving, jobs);
+    listGlass(in, jobs);
 }
 
 }  // namespace rushlight

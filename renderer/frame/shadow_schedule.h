@@ -19,6 +19,13 @@ struct ShadowDraw {
     BufferRange viewUniforms;          ///< the caller's
 };
 
+/// A square of the map of colours that is drawn: cleared; then what colours light.
+struct GlassDraw {
+    const ShadowFace* face = nullptr;
+    DrawList* casters = nullptr;  ///< null: none
+    BufferRange viewUniforms;     ///< the caller's
+};
+
 class ShadowSchedule {
 public:
     struct Inputs {
@@ -32,6 +39,10 @@ public:
     /// Notes in the faces what will have been drawn. The lists are arranged.
     void plan(const Inputs& inputs, JobSystem& jobs);
     std::span<ShadowDraw> draws() { return draws_; }
+    /// Whether any face sees what colours light; without, the map of colours is left as it is and not to be read.
+    bool hasGlass() const { return hasGlass_; }
+    std::span<GlassDraw> glassDraws() { return glassDraws_; }
+    uint32_t drawn() const { return drawn_; }  ///< faces of which anything is drawn
     uint32_t cached() const { return cached_; }
     /// Calls `f` with each list that is drawn.
     template <class F>
@@ -46,6 +57,8 @@ private:
     void hashCasters(const Inputs&, uint32_t index, JobSystem& jobs);
     void chooseDraws(const Inputs&);
     void listCasters(const Inputs&, uint32_t index, JobSystem& jobs);
+    bool chooseGlass(const Inputs&, ShadowFace&);
+    void listGlass(const Inputs&, JobSystem& jobs);
 
     ShadowVisibility visibility_;
     struct Request {
@@ -56,9 +69,11 @@ private:
     std::array<std::vector<Request>, 2> requests_;  ///< of casters in each of the worlds' indices
     std::vector<const ShadowView*> views_;
     std::vector<ShadowDraw> draws_;
+    std::vector<GlassDraw> glassDraws_;
+    bool hasGlass_ = false;
     std::vector<DrawList> lists_;
     uint32_t usedLists_ = 0;
-    uint32_t cached_ = 0;
+    uint32_t drawn_ = 0, cached_ = 0;
 };
 
 }  // namespace rushlight

@@ -54,25 +54,26 @@ void ShadowVisibility::testBlock(const Inputs& in, const BlockVisit& at,
             const uint32_t slot =
                 index.slotAt(block * kBlockSize + uint32_t(std::countr_zero(seen)));
             const InstanceRecord& r = world.record(slot);
-            if (!castsShadow(r) || !isWithin(view, r.box)) continue;
+            const bool glass = coloursLight(r);
+            if ((!glass && !castsShadow(r)) || !isWithin(view, r.box)) continue;
             const float texels = view.scale.at(r.center(), r.radius);
             if (2 * r.radius * texels < view.scale.minSize) continue;
             const GpuMesh& mesh = *in.geometry->find(r.mesh);
             casts.push_back({makeCaster(FrameWorlds::object(at.world, slot), r, mesh,
                                         view.scale.maxError, texels),
-                             v, r.stamp});
+                             glass ? v + uint32_t(in.views.size()) : v, r.stamp});
         }
     }
 }
 
 // Sums do not depend on the order of blocks, which may change when an index is built again.
 void ShadowVisibility::sortByView(uint32_t viewCount) {
-    ranges_.assign(viewCount, {});
+    ranges_.assign(2 * viewCount, {});
     const auto each = [&](auto&& f) {
         for (uint32_t i = 0; i < chunkCount_; ++i)
             for (const Cast& cast : chunks_[i]) f(cast);
     };
-    each([&](const Cast& cast) { ++ranges_[cast.view].count; });
+    each([&](const Cast& cast) { ++ranges_[cast.range].count; });
     uint32_t total = 0;
     for (Range& range : ranges_) {
         range.first = total;
@@ -80,7 +81,7 @@ void ShadowVisibility::sortByView(uint32_t viewCount) {
     }
     items_.resize(total);
     each([&](const Cast& cast) {
-        Range& range = ranges_[cast.view];
+        Range& range = ranges_[cast.range];
         items_[range.first + range.count++] = cast.item;
         range.hash += mixBits(mixBits(uint64_t(cast.item.object) << 32 | cast.stamp) ^ cast.item.key);
     });
@@ -99,8 +100,8 @@ void ShadowVisibility::gather(const Inputs& in, JobSystem& jobs) {
     sortByView(uint32_t(in.views.size()));
 }
 
-ShadowVisibility::Found ShadowVisibility::found(uint32_t view) const {
-    const Range& range = ranges_[view];
+ShadowVisibility::Found ShadowVisibility::foundIn(uint32_t index) const {
+    const Range& range = ranges_[index];
     return {range.hash, std::span(items_).subspan(range.first, range.count)};
 }
 

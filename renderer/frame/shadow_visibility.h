@@ -19,7 +19,7 @@ public:
         std::span<const ShadowView* const> views;
         uint32_t indices = 3;  ///< as bits: which of the worlds' indices (InstanceWorld::indices) to look into
     };
-    /// The casters of one view.
+    /// The casters of one view: those that hide light, or those that colour it.
     struct Found {
         uint64_t hash = 0;  ///< of which objects, in which state, how detailed; 0 for none
         std::span<const VisibleItem> items;  ///< not in order; until the next gather()
@@ -27,7 +27,8 @@ public:
 
     /// The same for any number of threads. Keeps its memory.
     void gather(const Inputs& inputs, JobSystem& jobs);
-    Found found(uint32_t view) const;
+    Found found(uint32_t view) const { return foundIn(view); }
+    Found foundGlass(uint32_t view) const { return foundIn(uint32_t(ranges_.size() / 2) + view); }
 
 private:
     struct BlockVisit {
@@ -37,7 +38,7 @@ private:
     };
     struct Cast {
         VisibleItem item;
-        uint32_t view;
+        uint32_t range;  ///< the view; of what colours light, after all views
         uint32_t stamp;
     };
     struct Range {
@@ -47,6 +48,7 @@ private:
     void findBlocks(const Inputs&);
     void testBlock(const Inputs&, const BlockVisit&, std::vector<Cast>& casts) const;
     void sortByView(uint32_t viewCount);
+    Found foundIn(uint32_t range) const;
 
     std::vector<CullVolume> volumes_;
     std::vector<SpatialIndex::Visit> visits_;

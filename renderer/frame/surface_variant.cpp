@@ -21,6 +21,8 @@ constexpr std::string_view kDefines[kSurfaceFlagCount] = {
     "EXTENDED",
     "MOVING",
     "BLEND",
+    "TRANSMISSION",
+    "TRANSMISSION_TEXTURE",
 };
 
 }  // namespace

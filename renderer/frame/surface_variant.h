@@ -24,11 +24,15 @@ enum SurfaceFlags : uint32_t {
     kMirrored = 1u << 12,  ///< the transform's determinant is negative
     kExtended = 1u << 13,  ///< the mesh has VertexExtra
     kMoving = 1u << 14,
-    kBlend = 1u << 15,
+    kBlend = 1u << 15,         ///< drawn over what is behind: alphaMode blend, and what light goes through
+    kTransmission = 1u << 16,  ///< with kBlend
+    kTransmissionTexture = 1u << 17,
 };
-inline constexpr uint32_t kSurfaceFlagCount = 16;
+inline constexpr uint32_t kSurfaceFlagCount = 18;
+inline constexpr uint32_t kSurfaceFlags = (1u << kSurfaceFlagCount) - 1;
 inline constexpr uint32_t kTextureFlags = kBaseColorTexture | kMetallicRoughnessTexture |
-                                          kNormalTexture | kOcclusionTexture | kEmissiveTexture;
+                                          kNormalTexture | kOcclusionTexture | kEmissiveTexture |
+                                          kTransmissionTexture;
 
 /// The #defines of a variant. The texts are static.
 void appendDefines(uint32_t surfaceFlags, std::vector<std::string_view>& defines);

@@ -76,7 +76,7 @@ void Visibility::addToCamera(const Inputs& in, uint32_t object, InstanceRecord& 
     const bool blended = r.surfaceFlags & kBlend;
     VisibleItem item;
     item.object = object;
-    item.flags = r.surfaceFlags;
+    item.flags = r.surfaceFlags & kSurfaceFlags;
     item.lod = r.cameraLod;
     item.key = blended ? blendKey(depth)
                        : opaqueKey(r.surfaceFlags, r.textureSet, r.mesh.index(), item.lod, depth);
@@ -85,7 +85,8 @@ void Visibility::addToCamera(const Inputs& in, uint32_t object, InstanceRecord& 
 
 void Visibility::addToCascade(const Inputs& in, uint32_t cascade, uint32_t object,
                               const InstanceRecord& r, Chunk& chunk) const {
-    if (!castsShadow(r)) return;
+    const bool glass = coloursLight(r);
+    if (!glass && !castsShadow(r)) return;
     const DetailScale& scale = cascadeScales_[cascade];
     if (2 * r.radius * scale.pixelsPerMetre < scale.minSize) return;
     if (in.settings->frustumCulling &&
@@ -93,7 +94,7 @@ void Visibility::addToCascade(const Inputs& in, uint32_t cascade, uint32_t objec
         return;
     const GpuMesh& mesh = *in.geometry->find(r.mesh);
     const VisibleItem item = makeCaster(object, r, mesh, scale.maxError, scale.pixelsPerMetre);
-    chunk.items[kFirstCaster + cascade].push_back(item);
+    chunk.items[(glass ? kFirstGlass : kFirstCaster) + cascade].push_back(item);
 }
 
 void Visibility::testBlock(const Inputs& in, const BlockVisit& at, Chunk& chunk) const {
@@ -114,6 +115,12 @@ void Visibility::testBlock(const Inputs& in, const BlockVisit& at, Chunk& chunk)
             else addToCascade(in, view - 1, object, world.record(slot), chunk);
         }
     }
+}
+
+DrawList& Visibility::listOf(Lists& lists, uint32_t index) {
+    if (index >= kFirstGlass) return lists.glass[index - kFirstGlass];
+    if (index >= kFirstCaster) return lists.casters[index - kFirstCaster];
+    return index == kOpaque ? lists.opaque : lists.blended;
 }
 
 // In the order of chunks.
@@ -146,12 +153,12 @@ Visibility::Counts Visibility::gather(const Inputs& in, JobSystem& jobs, Lists& 
 
     const FacingEye eye = in.camera->perspective ? vec4(in.camera->position, 1)
                                                  : vec4(-in.camera->forward, 0);
-    const uint32_t listCount = kFirstCaster + in.cascades->count;
-    jobs.forRanges(listCount, 1, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t i = begin; i < end; ++i) {
-            DrawList& list = i == kOpaque    ? lists.opaque
-                             : i == kBlended ? lists.blended
-                                             : lists.casters[i - kFirstCaster];
+    const uint32_t cascades = in.cascades->count;
+    jobs.forRanges(kFirstCaster + 2 * cascades, 1, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t job = begin; job < end; ++job) {
+            const uint32_t i =
+                job < kFirstCaster + cascades ? job : job - cascades + kFirstGlass - kFirstCaster;
+            DrawList& list = listOf(lists, i);
             if (i >= kFirstCaster) collect(i, list.items);
             const DrawList::Kind kind{i >= kFirstCaster, i == kBlended,
                                       i == kOpaque ? eye : vec4(0)};

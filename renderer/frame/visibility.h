@@ -22,6 +22,7 @@ public:
     struct Lists {
         DrawList opaque, blended, movingEmission;
         std::array<DrawList, 4> casters;
+        std::array<DrawList, 4> glass;  ///< casters that colour light and do not hide it
     };
     struct Counts {
         uint32_t visible = 0;  ///< to the camera
@@ -35,7 +36,14 @@ public:
 
 private:
     // Lists in the order of their items in a chunk.
-    enum ListIndex : uint32_t { kOpaque, kBlended, kFirstCaster, kListCount = kFirstCaster + 4 };
+    enum ListIndex : uint32_t {
+        kOpaque,
+        kBlended,
+        kFirstCaster,
+        kFirstGlass = kFirstCaster + 4,
+        kListCount = kFirstGlass + 4
+    };
+    static DrawList& listOf(Lists& lists, uint32_t index);
 
     /// What a run of blocks gives; each is filled by one thread.
     struct Chunk {

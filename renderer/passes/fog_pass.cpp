@@ -97,7 +97,8 @@ Result<FogPass::Outputs> FogPass::add(FramePlan& plan, const Inputs& inputs) {
     Outputs out{image("fog")};
     {
         const PassTargets::Color colors[] = {{slices, LoadOp::discard}};
-        const ImageId reads[] = {inputs.lighting.shadowMap, inputs.lighting.shadowAtlas};
+        const ImageId reads[] = {inputs.lighting.shadowMap, inputs.lighting.shadowAtlas,
+                                 inputs.lighting.sunGlass, inputs.lighting.atlasGlass};
         PassTargets targets;
         targets.colors = colors;
         targets.reads = reads;

@@ -12,7 +12,8 @@ ForwardPass::ForwardPass(Device& device)
                       .usedFlags = ~uint32_t(kMoving),
                       .depthTest = CompareOp::greaterOrEqual,
                       .depthWrite = false,
-                      .blend = BlendMode::premultiplied}),
+                      .blend = BlendMode::premultiplied,
+                      .transmissive = BlendMode::filtered}),
       emission_(device, {.label = "emission",
                          .vertexShader = "passes/surface.vert",
                          .fragmentShader = "passes/forward.frag",
@@ -37,7 +38,8 @@ Result<ForwardPass::Outputs> ForwardPass::add(FramePlan& plan, const Inputs& inp
         !ok)
         return tl::unexpected(ok.error());
     const PassTargets::Color colors[] = {{inputs.radiance, LoadOp::keep}};
-    const ImageId reads[] = {inputs.lighting.shadowMap, inputs.lighting.shadowAtlas, inputs.fog};
+    const ImageId reads[] = {inputs.lighting.shadowMap, inputs.lighting.shadowAtlas,
+                             inputs.lighting.sunGlass, inputs.lighting.atlasGlass, inputs.fog};
     PassTargets targets;
     targets.colors = colors;
     targets.depth = {inputs.depth, LoadOp::keep, 0, true};

@@ -55,6 +55,8 @@ void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) con
     }
     if (areaLights) defines.push_back("AREA_LIGHTS");
     if (areaShadow) defines.push_back("AREA_SHADOW");
+    if (sunGlass) defines.push_back("SUN_GLASS");
+    if (atlasGlass) defines.push_back("ATLAS_GLASS");
     if (environment) defines.push_back("ENVIRONMENT");
     else if (hemisphere) defines.push_back("HEMISPHERE");
     if (orthographic) defines.push_back("ORTHOGRAPHIC");
@@ -78,6 +80,11 @@ void LightingBindings::record(PassContext& context) const {
             BindTexture{RL_TEXTURE_SHADOW_ATLAS, context.texture(shadowAtlas), shadowSampler});
     if (atlas || features.secondSuns > 0)
         commands.push(BindTexelBuffer{RL_TEXTURE_SHADOW_FACES, Format::rgba32f, {}, shadowFaces});
+    if (features.sunGlass)
+        commands.push(BindTexture{RL_TEXTURE_SUN_GLASS, context.texture(sunGlass), linearSampler});
+    if (features.atlasGlass)
+        commands.push(
+            BindTexture{RL_TEXTURE_ATLAS_GLASS, context.texture(atlasGlass), linearSampler});
     if (features.lightPatterns)
         commands.push(BindTexture{RL_TEXTURE_LIGHT_PATTERNS, lightPatterns, patternSampler});
     if (features.environment) {
@@ -174,6 +181,8 @@ Result<LightingPass::Outputs> LightingPass::add(FramePlan& plan, const Inputs& i
                              g.depth,
                              inputs.lighting.shadowMap,
                              inputs.lighting.shadowAtlas,
+                             inputs.lighting.sunGlass,
+                             inputs.lighting.atlasGlass,
                              inputs.ambientOcclusion,
                              inputs.localTint,
                              inputs.localFlow};

@@ -30,6 +30,8 @@ struct LightingFeatures {
     bool reflectionProbes = false;  ///< before the environment, the hemisphere or the irradiance volume
     bool areaLights = false;       ///< LightClass::area
     bool areaShadow = false;       ///< some of them have shadow records
+    bool sunGlass = false;         ///< light of suns goes through what colours it
+    bool atlasGlass = false;       ///< light of others
     bool clusteredLights() const { return plainLights || modulatedLights || areaLights; }
     bool operator==(const LightingFeatures&) const = default;
     /// The #defines; the texts are static.
@@ -43,6 +45,7 @@ struct LightingBindings {
     BufferRange lights, clusters, lightIndices;
     ImageId shadowMap;  ///< null without shadows
     ImageId shadowAtlas;       ///< of all but the suns; null when none has a shadow
+    ImageId sunGlass, atlasGlass;  ///< with those features: what colours light, as ShadowGlass keeps it
     BufferRange shadowFaces;   ///< GpuSecondSun, then GpuShadowFace
     SamplerHandle shadowSampler;
     TextureHandle environment;  ///< prefiltered cube

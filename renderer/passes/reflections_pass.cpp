@@ -100,6 +100,7 @@ Result<ReflectionsPass::Outputs> ReflectionsPass::add(FramePlan& plan, const Inp
     lighting.features.areaLights = false;
     lighting.features.punctualShadow = lighting.features.areaShadow = false;
     lighting.features.secondSuns = 0;
+    lighting.features.sunGlass = lighting.features.atlasGlass = false;
     const PassTargets::Color colors[] = {
         {out.radiance, inputs.alone ? LoadOp::clear : LoadOp::keep, vec4(0, 0, 0, 1)}};
     const ImageId reads[] = {g.target0, g.target1,        g.target2,

@@ -66,6 +66,7 @@ Result<ShadowPass::Outputs> ShadowPass::add(FramePlan& plan, const Inputs& input
     Outputs out;
     out.map = plan.importImage(
         {"shadow-map", Format::depth32f, resolution_, resolution_, layers_}, map_);
+    out.contents = hashes_;
     for (uint32_t i = 0; i < count; ++i) {
         const View& view = inputs.views[i];
         DrawList& casters = *view.casters;

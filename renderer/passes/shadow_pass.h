@@ -31,6 +31,7 @@ public:
         uint32_t drawnViews = 0;  ///< as bits; the others' casters need no data
         uint32_t drawn = 0;
         uint32_t cached = 0;
+        std::span<const uint64_t> contents;  ///< by view: another number when what the map holds changes
     };
 
     explicit ShadowPass(Device& device);

@@ -37,6 +37,7 @@ Result<PipelineHandle> SurfacePipelines::find(const DrawBatch& batch,
                                               std::span<const std::string_view> extraDefines) {
     const uint32_t flags = batch.surfaceFlags & desc_.usedFlags;
     const bool depthOnly = desc_.fragmentShader == "passes/depth.frag";
+    const bool colorless = depthOnly || desc_.fragmentShader == "passes/shadow_glass.frag";
     const bool positionsOnly = depthOnly && !(flags & kAlphaMask);
     for (const Entry& entry : entries_)
         if (entry.flags == flags && std::ranges::equal(entry.extraDefines, extraDefines))
@@ -44,7 +45,7 @@ Result<PipelineHandle> SurfacePipelines::find(const DrawBatch& batch,
 
     std::vector<std::string_view> defines(extraDefines.begin(), extraDefines.end());
     if (!positionsOnly) appendDefines(flags, defines);
-    if (depthOnly) defines.push_back("DEPTH_ONLY");
+    if (colorless) defines.push_back("DEPTH_ONLY");
     PipelineDesc desc;
     desc.label = desc_.label;
     desc.vertexShader = positionsOnly ? "passes/depth.vert" : desc_.vertexShader;
@@ -60,7 +61,7 @@ Result<PipelineHandle> SurfacePipelines::find(const DrawBatch& batch,
     desc.depthBiasSlope = desc_.depthBiasSlope;
     desc.depthTest = desc_.depthTest;
     desc.depthWrite = desc_.depthWrite;
-    desc.blend = desc_.blend;
+    desc.blend = flags & kTransmission ? desc_.transmissive : desc_.blend;
     auto pipeline = device_.createPipeline(desc);
     if (!pipeline) return pipeline;
     entries_.push_back({flags, {extraDefines.begin(), extraDefines.end()},

@@ -20,6 +20,7 @@ struct SurfacePipelineDesc {
     float depthBias = 0;
     float depthBiasSlope = 0;
     BlendMode blend = BlendMode::off;
+    BlendMode transmissive = BlendMode::off;  ///< of surfaces that light goes through
 };
 
 /// What surfaces read to lay decals over themselves; none where `records` is empty.

@@ -47,8 +47,8 @@ vec3 PathTracer::lampLight(const Surface& s, RayRandom& random) const {
     for (const DirectionalLight& sun : light_.suns()) {
         const float cosine = -glm::dot(s.normal, sun.direction);
         if (cosine <= 0) continue;
-        if (sun.castsShadow && scene_.occluded({s.origin, -sun.direction})) continue;
-        sum += sun.illuminance * cosine;
+        const vec3 share = sun.castsShadow ? scene_.transmittance({s.origin, -sun.direction}) : vec3(1);
+        sum += sun.illuminance * cosine * share;
     }
     return sum + punctualLight(s, random);
 }
@@ -82,8 +82,8 @@ vec3 PathTracer::punctualLight(const Surface& s, RayRandom& random) const {
         distance = std::sqrt(distance2);
     }
     if (!(chosenWeight > 0)) return vec3(0);
-    if (scene_.occluded({s.origin, towards, 0, distance * 0.9999f})) return vec3(0);
-    return chosen * (total / chosenWeight);
+    return chosen * (total / chosenWeight) *
+           scene_.transmittance({s.origin, towards, 0, distance * 0.9999f});
 }
 
 vec3 PathTracer::skyLight(const Surface& s, RayRandom& random) const {
@@ -91,8 +91,8 @@ vec3 PathTracer::skyLight(const Surface& s, RayRandom& random) const {
     if (!(sky.density > 0)) return vec3(0);
     const float cosine = glm::dot(s.normal, sky.direction);
     if (cosine <= 0) return vec3(0);
-    if (scene_.occluded({s.origin, sky.direction})) return vec3(0);
-    return sky.radiance * (cosine / (sky.density + cosine * interop::kInversePi));
+    return sky.radiance * (cosine / (sky.density + cosine * interop::kInversePi)) *
+           scene_.transmittance({s.origin, sky.direction});
 }
 
 vec3 PathTracer::radiance(const vec3& origin, const vec3& direction, float density,
@@ -104,8 +104,9 @@ vec3 PathTracer::radiance(const vec3& origin, const vec3& direction, float densi
         if (!scene_.intersect(ray, hit)) {
             const float other = skySamples * light_.skyDensity(ray.direction);
             const float share = std::isinf(density) ? 1 : density / (density + other);
-            return sum + throughput * light_.sky(ray.direction) * share;
+            return sum + throughput * light_.sky(ray.direction) * share * scene_.colorBetween(ray);
         }
+        throughput *= scene_.colorBetween({ray.origin, ray.direction, ray.nearest, hit.distance});
         const RaySurface surface = scene_.surface(hit);
         if (!hit.front && !surface.doubleSided) return sum;
         sum += throughput * (surface.unlit ? surface.baseColor : surface.emissive);

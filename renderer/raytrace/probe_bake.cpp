@@ -45,8 +45,10 @@ IrradianceProbe gather(const PathTracer& tracer, const vec3& position, uint32_t 
     for (uint32_t i = 0; i < skySamples; ++i) {
         RayRandom random(mixBits(seed) + samples + i);
         const SkySample sky = tracer.light().sampleSky(random);
-        if (!(sky.density > 0) || tracer.scene().occluded({position, sky.direction})) continue;
-        add(sky.radiance, sky.direction,
+        if (!(sky.density > 0)) continue;
+        const vec3 share = tracer.scene().transmittance({position, sky.direction});
+        if (share == vec3(0)) continue;
+        add(sky.radiance * share, sky.direction,
             1 / (4 * kPi * (float(skySamples) * sky.density + density)));
     }
     return probe;

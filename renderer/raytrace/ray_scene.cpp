@@ -1,8 +1,10 @@
 #include "renderer/raytrace/ray_scene.h"
 
+#include "renderer/frame/mesh_topology.h"
 #include "renderer/raytrace/ray_image.h"
 #include "renderer/raytrace/ray_mesh.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <string>
@@ -20,6 +22,8 @@ struct Placed {
     mat3 normalFromLocal{1.0f};
     uint32_t index = 0;  // in the host's span
     bool castsShadow = true;
+    bool glass = false;   // light goes through
+    bool closed = false;  // of glass alone: its backs count no second time
 };
 
 /// What the filter sees besides the hit.
@@ -112,6 +116,10 @@ struct RayScene::State {
     }
     void chooseInstances(std::span<const Instance> instances);
     void buildMeshes();
+    void buildTop(EmbreeOwner<RTCScene>& scene, bool ofGlass);
+    bool trace(RTCScene scene, const Ray& ray, bool castersOnly, RayHit& hit) const;
+    vec3 colorBetween(const RayScene& scene, Ray ray, bool castersOnly) const;
+    const Placed& placedOf(uint32_t instance) const;
     Query query(bool castersOnly) const {
         Query q;
         rtcInitIntersectContext(&q.context);
@@ -128,7 +136,7 @@ struct RayScene::State {
     std::unordered_map<uint32_t, MaterialDesc> materials;
     MaterialDesc defaultMaterial;
     std::vector<Placed> placed;
-    EmbreeOwner<RTCScene> top;
+    EmbreeOwner<RTCScene> top, glass;  // glass: null where there is none
     Aabb bounds;
     uint64_t triangles = 0;
     uint32_t rejected = 0;
@@ -152,6 +160,7 @@ Result<void> RayScene::setMesh(MeshHandle handle, const MeshDesc& desc) {
     if (!mesh) return tl::unexpected(mesh.error());
     state_->placed.clear();  // they may name the mesh that goes
     state_->top.reset();
+    state_->glass.reset();
     state_->meshes[handle.value] = std::make_unique<RayMesh>(std::move(*mesh));
     return {};
 }
@@ -184,8 +193,11 @@ void RayScene::State::chooseInstances(std::span<const Instance> instances) {
         }
         const auto material = materials.find(instances[i].material.value);
         p.material = material == materials.end() ? &defaultMaterial : &material->second;
-        if (p.material->alphaMode == AlphaMode::blend) continue;
+        p.glass = p.material->transmission > 0 && !p.material->unlit;
+        if (p.material->alphaMode == AlphaMode::blend && !p.glass) continue;
         p.mesh = mesh->second.get();
+        const auto positions = std::span(p.mesh->positions).first(p.mesh->vertexCount());
+        p.closed = p.glass && isClosed(positions, p.mesh->indices);
         p.index = uint32_t(i);
         placed.push_back(p);
         bounds.grow(transformAabb(p.worldFromLocal, p.mesh->bounds));
@@ -210,24 +222,31 @@ void RayScene::State::buildMeshes() {
     });
 }
 
+void RayScene::State::buildTop(EmbreeOwner<RTCScene>& scene, bool ofGlass) {
+    scene.reset(rtcNewScene(device.get()));
+    for (uint32_t i = 0; i < placed.size(); ++i) {
+        if (placed[i].glass != ofGlass) continue;
+        const EmbreeOwner<RTCGeometry> instance(
+            rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+        rtcSetGeometryInstancedScene(instance.get(), placed[i].mesh->scene.get());
+        rtcSetGeometryTransform(instance.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                                &placed[i].worldFromLocal);
+        rtcCommitGeometry(instance.get());
+        rtcAttachGeometryByID(scene.get(), instance.get(), i);
+    }
+    rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcCommitScene(scene.get());
+}
+
 Result<void> RayScene::build(std::span<const Instance> instances) {
     State& s = *state_;
     s.top.reset();
+    s.glass.reset();
     s.chooseInstances(instances);
     s.buildMeshes();
     if (auto ok = s.checkDevice("building the meshes"); !ok) return ok;
-    s.top.reset(rtcNewScene(s.device.get()));
-    for (uint32_t i = 0; i < s.placed.size(); ++i) {
-        const EmbreeOwner<RTCGeometry> instance(
-            rtcNewGeometry(s.device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
-        rtcSetGeometryInstancedScene(instance.get(), s.placed[i].mesh->scene.get());
-        rtcSetGeometryTransform(instance.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
-                                &s.placed[i].worldFromLocal);
-        rtcCommitGeometry(instance.get());
-        rtcAttachGeometryByID(s.top.get(), instance.get(), i);
-    }
-    rtcSetSceneFlags(s.top.get(), RTC_SCENE_FLAG_ROBUST);
-    rtcCommitScene(s.top.get());
+    s.buildTop(s.top, false);
+    if (std::ranges::any_of(s.placed, &Placed::glass)) s.buildTop(s.glass, true);
     return s.checkDevice("building the scene");
 }
 
@@ -235,16 +254,15 @@ uint32_t RayScene::rejected() const { return state_->rejected; }
 Aabb RayScene::bounds() const { return state_->bounds; }
 uint64_t RayScene::triangles() const { return state_->triangles; }
 
-bool RayScene::intersect(const Ray& ray, RayHit& hit) const {
-    const State& s = *state_;
-    if (!s.top || !isFinite(ray)) return false;
+bool RayScene::State::trace(RTCScene scene, const Ray& ray, bool castersOnly, RayHit& hit) const {
+    if (!scene || !isFinite(ray)) return false;
     RTCRayHit rayHit;
     fill(ray, rayHit.ray);
     rayHit.hit.geomID = rayHit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    Query query = s.query(false);
-    rtcIntersect1(s.top.get(), &query.context, &rayHit);
+    Query query = this->query(castersOnly);
+    rtcIntersect1(scene, &query.context, &rayHit);
     if (rayHit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-    const Placed& p = s.placed[rayHit.hit.instID[0]];
+    const Placed& p = placed[rayHit.hit.instID[0]];
     const RayMesh& mesh = *p.mesh;
     hit.distance = rayHit.ray.tfar;
     hit.instance = p.index;
@@ -268,6 +286,39 @@ bool RayScene::intersect(const Ray& ray, RayHit& hit) const {
     return true;
 }
 
+// One after the other, each from beyond the last: a ray that passes exactly between two triangles may meet both.
+vec3 RayScene::State::colorBetween(const RayScene& scene, Ray ray, bool castersOnly) const {
+    constexpr uint32_t kMostLayers = 64;
+    vec3 color(1);
+    RayHit hit;
+    for (uint32_t i = 0; i < kMostLayers && trace(glass.get(), ray, castersOnly, hit); ++i) {
+        const Placed& p = placedOf(hit.instance);
+        if (hit.front || !p.closed || p.material->doubleSided) color *= scene.surface(hit).through;
+        ray.nearest = hit.distance * 1.00001f + 1e-5f;
+    }
+    return color;
+}
+
+const Placed& RayScene::State::placedOf(uint32_t instance) const {
+    const auto found = std::lower_bound(placed.begin(), placed.end(), instance,
+                                        [](const Placed& p, uint32_t i) { return p.index < i; });
+    RL_CHECK(found != placed.end() && found->index == instance,
+             "a hit's instance is in the scene that was hit");
+    return *found;
+}
+
+bool RayScene::intersect(const Ray& ray, RayHit& hit) const {
+    return state_->trace(state_->top.get(), ray, false, hit);
+}
+
+vec3 RayScene::transmittance(const Ray& ray) const {
+    return occluded(ray) ? vec3(0) : state_->colorBetween(*this, ray, true);
+}
+
+vec3 RayScene::colorBetween(const Ray& ray) const {
+    return state_->colorBetween(*this, ray, false);
+}
+
 bool RayScene::occluded(const Ray& ray) const {
     const State& s = *state_;
     if (!s.top || !isFinite(ray)) return false;
@@ -280,13 +331,9 @@ bool RayScene::occluded(const Ray& ray) const {
 
 RaySurface RayScene::surface(const RayHit& hit) const {
     const State& s = *state_;
-    const auto found = std::lower_bound(
-        s.placed.begin(), s.placed.end(), hit.instance,
-        [](const Placed& p, uint32_t index) { return p.index < index; });
-    RL_CHECK(found != s.placed.end() && found->index == hit.instance,
-             "a hit's instance is in the scene that was hit");
-    const RayMesh& mesh = *found->mesh;
-    const MaterialDesc& m = *found->material;
+    const Placed& placed = s.placedOf(hit.instance);
+    const RayMesh& mesh = *placed.mesh;
+    const MaterialDesc& m = *placed.material;
     const auto texel = [&](const TextureSlot& slot) {
         const auto image = s.images.find(slot.image.value);
         if (!slot.image || image == s.images.end()) return vec4(1);
@@ -302,6 +349,11 @@ RaySurface RayScene::surface(const RayHit& hit) const {
     out.emissive = glm::max(m.emissive * vec3(texel(m.emissiveTexture)), vec3(0));
     out.doubleSided = m.doubleSided;
     out.unlit = m.unlit;
+    if (placed.glass) {
+        const float share = m.transmission * texel(m.transmissionTexture).x * (1 - out.metallic);
+        const float coverage = m.alphaMode == AlphaMode::blend ? std::clamp(base.w, 0.0f, 1.0f) : 1;
+        out.through = glm::mix(vec3(1), out.baseColor * m.transmissionColor * share, coverage);
+    }
     return out;
 }
 

@@ -2,7 +2,8 @@
 // A scene to shoot rays through, of the same descriptions and under the same handles as the Renderer's: a host gives
 // both what it has while it loads, then build() takes FrameInput::instances as they are. It holds its own copies
 // (about 100 bytes a triangle; images at most 256 pixels a side plus alpha), so a renderer that traces nothing pays
-// nothing. Blended surfaces let all light through and are left out; masked ones are tested at full resolution.
+// nothing. Blended surfaces let all light through and are left out; masked ones are tested at full resolution. Those of
+// MaterialDesc::transmission are hit by nothing, and colour what goes through them.
 // Used by one thread at a time, but intersect, occluded and surface by any number. Traced by Embree 3; the same
 // processor gives the same results for any number of threads.
 
@@ -43,6 +44,7 @@ struct RaySurface {
     vec3 emissive{0};
     bool doubleSided = false;
     bool unlit = false;
+    vec3 through{0};  ///< the share of light, by colour, that goes on; holes included, what is mirrored not taken off
 };
 
 class RayScene {
@@ -70,6 +72,10 @@ public:
     bool intersect(const Ray& ray, RayHit& hit) const;
     /// Anything between `nearest` and `farthest` that casts shadows (kInstanceCastsShadow)?
     bool occluded(const Ray& ray) const;
+    /// The share of light, by colour, that casters leave between `nearest` and `farthest`: 0 where it is occluded.
+    vec3 transmittance(const Ray& ray) const;
+    /// What is seen of the light at the ray's end, by colour; nothing opaque is looked for.
+    vec3 colorBetween(const Ray& ray) const;
     RaySurface surface(const RayHit& hit) const;
 
 private:

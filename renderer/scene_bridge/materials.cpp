@@ -48,6 +48,8 @@ MaterialDesc factorsOf(const assets::Material& from) {
     desc.emissive = from.emissive;
     desc.alphaMode = alphaModeOf(from.alphaMode);
     desc.alphaCutoff = from.alphaCutoff;
+    desc.transmission = from.transmission;
+    desc.transmissionColor = from.transmissionColor;
     desc.doubleSided = from.doubleSided;
     desc.unlit = from.unlit;
     return desc;
@@ -102,7 +104,8 @@ Result<MaterialDesc> MaterialUploads::materialDesc(int material) {
                            Use{from.metallicRoughnessTexture, false, desc.metallicRoughnessTexture},
                            Use{from.normalTexture, false, desc.normalTexture},
                            Use{from.occlusionTexture, false, desc.occlusionTexture},
-                           Use{from.emissiveTexture, true, desc.emissiveTexture}})
+                           Use{from.emissiveTexture, true, desc.emissiveTexture},
+                           Use{from.transmissionTexture, false, desc.transmissionTexture}})
         if (auto set = setTexture(use.from, use.srgb, use.slot); !set)
             return tl::unexpected(set.error());
 

@@ -57,11 +57,14 @@ vec3 areaLight(int texel, LitSurface s, AreaFrame f) {
     }
     vec2 factors = outlineFormFactors(outline, f.tangent, f.bitangent, s.point.normal, f.ltc);
     float x = dot(center, center) * a.w;
-    float within = clamp(1.0 - x * x, 0.0, 1.0) * facing;
+    float reach = clamp(1.0 - x * x, 0.0, 1.0) * facing;
 #if defined(AREA_SHADOW)
+    LampShare within = LampShare(reach);
     vec4 e = texelFetch(lightTexels, texel + 4);  // shadow record, extent
-    if (e.x >= 0.0 && within > 0.0)
+    if (e.x >= 0.0 && reach > 0.0)
         within *= areaVisibility(int(e.x), s, areaSource(center, int(b.w + 0.5), c, d.xyz, e.y));
+#else
+    float within = reach;
 #endif
     vec3 reflected =
         s.point.diffuseOverPi * (factors.x / kInversePi) + s.point.specularAlbedo * factors.y;

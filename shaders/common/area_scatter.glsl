@@ -24,13 +24,16 @@ vec3 areaScattering(int texel, LitSurface s, Piece piece) {
     }
     vec3 towards = center * inversesqrt(distance2);
     float x = distance2 * a.w;
-    float within = clamp(1.0 - x * x, 0.0, 1.0);
+    float reach = clamp(1.0 - x * x, 0.0, 1.0);
 #if defined(AREA_SHADOW)
+    LampShare within = LampShare(reach);
     vec4 e = texelFetch(lightTexels, texel + 4);
-    if (e.x >= 0.0 && within * angle > 0.0) {
+    if (e.x >= 0.0 && reach * angle > 0.0) {
         s.facing = vec4(towards, 0.0);
         within *= areaVisibility(int(e.x), s, areaSource(center, shape, c, d.xyz, e.y));
     }
+#else
+    float within = reach;
 #endif
     // From near a small light the angle changes along the piece as a lamp's attenuation does; see lampScattering.
     float along = -dot(towards, s.point.view) * sqrt(distance2);

@@ -79,7 +79,7 @@ float filterArea(ShadowLookup at, ShadowFace face, AreaSource source) {
 #endif
 
 // `first`: index of the light's first face.
-float areaVisibility(int first, LitSurface s, AreaSource source) {
+LampShare areaVisibility(int first, LitSurface s, AreaSource source) {
     vec3 p = -source.center;
     float distance = max(length(p), 1e-4);
     vec3 towards = source.center / distance;
@@ -97,5 +97,10 @@ float areaVisibility(int first, LitSurface s, AreaSource source) {
 #endif
     // As beforeTriangle, but a part of the light may be before a triangle whose plane its middle is behind.
     float before = dot(s.facing.xyz, towards) + source.extent / distance;
-    return lit * clamp(0.7 + 8.0 * before + s.facing.w, 0.0, 1.0);
+    lit *= clamp(0.7 + 8.0 * before + s.facing.w, 0.0, 1.0);
+#if defined(ATLAS_GLASS)
+    return lit * filterGlass(atlasGlass, at, false);
+#else
+    return lit;
+#endif
 }

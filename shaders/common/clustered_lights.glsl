@@ -59,6 +59,9 @@ LightSample sampleLight(int listed, LitSurface s) {
 #include "common/light_patterns.glsl"
 #endif
 
+void shadowLight(inout LightSample light, float share) { light.attenuation *= share; }
+void shadowLight(inout LightSample light, vec3 share) { light.intensity *= share; }
+
 vec3 clusteredLight(LitSurface s, vec2 pixel) {
 #if defined(LIGHT_PATTERNS)
     float footprint = sqrt(length(cross(dFdx(s.position), dFdy(s.position))));
@@ -86,8 +89,8 @@ vec3 clusteredLight(LitSurface s, vec2 pixel) {
         vec4 modulation = texelFetch(lightTexels, light.texel + 3);
 #if defined(PUNCTUAL_SHADOW)
         if (modulation.x >= 0.0)
-            light.attenuation *= punctualVisibility(int(modulation.x), s, light.direction,
-                                                    sqrt(light.distanceSquared));
+            shadowLight(light, punctualVisibility(int(modulation.x), s, light.direction,
+                                                  sqrt(light.distanceSquared)));
 #endif
 #if defined(LIGHT_PATTERNS)
         light.intensity *= lightPattern(light, modulation, footprint);

@@ -6,6 +6,7 @@
 #include "common/lit_surface.glsl"
 #if defined(SUN_SHADOW) || defined(PUNCTUAL_SHADOW) || defined(AREA_SHADOW)
 #include "common/shadow_filter.glsl"
+#include "common/glass_shadow.glsl"
 #endif
 #if defined(SUN_SHADOW)
 #include "common/sun_shadow.glsl"

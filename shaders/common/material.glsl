@@ -18,6 +18,10 @@ layout(binding = RL_TEXTURE_OCCLUSION) uniform sampler2DArray occlusionTextures;
 layout(binding = RL_TEXTURE_EMISSIVE) uniform sampler2DArray emissiveTextures;
 #endif
 
+#if defined(TRANSMISSION_TEXTURE)
+layout(binding = RL_TEXTURE_TRANSMISSION) uniform sampler2DArray transmissionTextures;
+#endif
+
 struct Material {
     uvec4 texel0;
     uvec4 texel1;
@@ -37,7 +41,11 @@ vec3 textureCoordinate(Material material, int slot, uint layer) {
     vec2 uv = surfaceUv;
 #endif
 #if defined(UV_TRANSFORMS)
+#if defined(TRANSMISSION)
+    int at = int(surfaceMaterial) + RL_MATERIAL_TEXELS + 1 + 2 * slot;
+#else
     int at = int(surfaceMaterial) + RL_MATERIAL_TEXELS + 2 * slot;
+#endif
     vec4 columns = uintBitsToFloat(texelFetch(materialTexels, at));
     vec2 offset = uintBitsToFloat(texelFetch(materialTexels, at + 1)).xy;
     uv = columns.xy * uv.x + columns.zw * uv.y + offset;
@@ -78,6 +86,10 @@ void cutAlpha(Material material) {
 }
 #endif
 
+#if defined(TRANSMISSION)
+#include "common/transmission.glsl"
+#endif
+
 #if !defined(DEPTH_ONLY)
 struct SurfaceSample {
     vec4 baseColor;
@@ -86,6 +98,9 @@ struct SurfaceSample {
     float occlusion;
     vec3 normal;  // facing the camera's side of the triangle; unit in forward passes
     vec3 emissive;
+#if defined(TRANSMISSION)
+    Transmission transmission;
+#endif
 };
 
 vec3 shadedNormal(Material material) {
@@ -140,6 +155,9 @@ SurfaceSample sampleSurface() {
     s.occlusion += unpackHalf2x16(material.texel0.w).y * (ao - 1.0);
 #endif
     s.normal = shadedNormal(material);
+#if defined(TRANSMISSION)
+    s.transmission = loadTransmission(material, s.baseColor.a);
+#endif
     s.emissive = vec3(0.0);
 #if defined(EMISSIVE)
     s.emissive = vec3(unpackHalf2x16(material.texel1.x), unpackHalf2x16(material.texel1.y).x);

@@ -3,7 +3,7 @@
 // renderer/frame/second_suns.h.
 
 // `sun` counts from 0.
-float secondSunVisibility(int sun, LitSurface s, vec3 towardsLight) {
+SunShare secondSunVisibility(int sun, LitSurface s, vec3 towardsLight) {
     int texel = sun * 8;
     SunMap map;
     for (int i = 0; i < 3; ++i) map.rows[i] = texelFetch(shadowFaces, texel + i);
@@ -13,7 +13,7 @@ float secondSunVisibility(int sun, LitSurface s, vec3 towardsLight) {
     vec2 metres = vec2(dot(map.rows[0], p), dot(map.rows[1], p));
     float layer = float(SHADOW_CASCADES + sun * SECOND_CASCADES + SECOND_CASCADES - 1);
     vec4 last = texelFetch(shadowFaces, texel + 4 + SECOND_CASCADES);
-    float lit = cascadeVisibility(map, s, towardsLight, last, layer);
+    SunShare lit = cascadeVisibility(map, s, towardsLight, last, layer);
 #if SECOND_CASCADES > 1
     vec4 first = texelFetch(shadowFaces, texel + 5);
     vec2 d = abs(metres * first.x + first.yz - 0.5);
@@ -24,5 +24,5 @@ float secondSunVisibility(int sun, LitSurface s, vec3 towardsLight) {
 #endif
     vec2 outside = abs(metres * last.x + last.yz - 0.5);
     float fade = (0.5 - max(outside.x, outside.y)) * map.settings.w;
-    return mix(1.0, lit, clamp(fade, 0.0, 1.0)) * beforeTriangle(s.facing, towardsLight);
+    return mix(SunShare(1.0), lit, clamp(fade, 0.0, 1.0)) * beforeTriangle(s.facing, towardsLight);
 }

@@ -15,7 +15,7 @@ struct SunMap {
     float softness;
 };
 
-float cascadeVisibility(SunMap map, LitSurface s, vec3 towardsLight, vec4 cascade, float layer) {
+SunShare cascadeVisibility(SunMap map, LitSurface s, vec3 towardsLight, vec4 cascade, float layer) {
     vec4 p = vec4(s.position, 1.0);
     float cosine = max(dot(s.facing.xyz, towardsLight), 1.0 / RL_STEEPEST_RECEIVER);
     // The surface's plane: a metre along x its depth falls by n.x / n.l metres, and so for y.
@@ -32,10 +32,14 @@ float cascadeVisibility(SunMap map, LitSurface s, vec3 towardsLight, vec4 cascad
     at.softness = map.softness / cascade.w;
     at.limit = float(RL_SHADOW_RIM_SOFT) - 2.0;
 #endif
+#if defined(SUN_GLASS)
+    return filterShadow(shadowMap, at) * filterGlass(sunGlass, at, true);
+#else
     return filterShadow(shadowMap, at);
+#endif
 }
 
-float sunVisibility(LitSurface s, vec3 towardsLight) {
+SunShare sunVisibility(LitSurface s, vec3 towardsLight) {
     vec4 p = vec4(s.position, 1.0);
     vec2 metres = vec2(dot(L_SHADOW_ROW(0), p), dot(L_SHADOW_ROW(1), p));
     // The finest cascade that holds the point with the filter's margin, else the last. In a band along its edge it
@@ -72,7 +76,7 @@ float sunVisibility(LitSurface s, vec3 towardsLight) {
 #if defined(SHADOW_SOFT)
     map.softness = L_SHADOW_SOFTNESS.x;
 #endif
-    float lit = cascadeVisibility(map, s, towardsLight, picked, layer);
+    SunShare lit = cascadeVisibility(map, s, towardsLight, picked, layer);
 #if SHADOW_CASCADES > 1
     if (weight < 1.0)
         lit = mix(cascadeVisibility(map, s, towardsLight, next, layer + 1.0), lit, weight);
@@ -81,5 +85,5 @@ float sunVisibility(LitSurface s, vec3 towardsLight) {
     vec4 last = L_SHADOW_CASCADE(SHADOW_CASCADES - 1);
     vec2 outside = abs(metres * last.x + last.yz - 0.5);
     float fade = (0.5 - max(outside.x, outside.y)) * L_SHADOW_SETTINGS.w;
-    return mix(1.0, lit, clamp(fade, 0.0, 1.0)) * beforeTriangle(s.facing, towardsLight);
+    return mix(SunShare(1.0), lit, clamp(fade, 0.0, 1.0)) * beforeTriangle(s.facing, towardsLight);
 }

@@ -10,7 +10,7 @@
 #endif
 
 #if defined(BASE_COLOR_TEXTURE) || defined(METALLIC_ROUGHNESS_TEXTURE) || defined(NORMAL_TEXTURE) || \
-    defined(OCCLUSION_TEXTURE) || defined(EMISSIVE_TEXTURE)
+    defined(OCCLUSION_TEXTURE) || defined(EMISSIVE_TEXTURE) || defined(TRANSMISSION_TEXTURE)
 #define ANY_TEXTURE
 #endif
 

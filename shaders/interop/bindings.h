@@ -70,5 +70,9 @@
 #define RL_TEXTURE_DECALS 10
 #define RL_TEXTURE_DECAL_LISTS 11
 #define RL_TEXTURE_LTC 23
+// A material's, where nothing else reads a source.
+#define RL_TEXTURE_TRANSMISSION 12
+#define RL_TEXTURE_SUN_GLASS 30
+#define RL_TEXTURE_ATLAS_GLASS 31
 
 #endif

@@ -8,9 +8,12 @@
 //     texel 1   x: emissive r, g (half)      y: emissive b, alpha cutoff (half)
 //               z: array layers: base colour 0-9, metallic-roughness 10-19, normal 20-29
 //               w: array layers: occlusion 0-9, emissive 10-19; uv sets: bit 20 + texture slot
-//     texels 2 + 2 * slot, 3 + 2 * slot (with UV_TRANSFORMS): 2x2 matrix by columns; offset
+//     texel 2   (with TRANSMISSION alone)  x: transmission, 1 where alpha is coverage (half)
+//               y: its colour r, g (half)  z: b, 0 (half)   w: array layer
+//     then, with UV_TRANSFORMS, for each slot (RL_MATERIAL_SLOT_TRANSMISSION with TRANSMISSION alone) two texels:
+//     2x2 matrix by columns; offset
 #define RL_MATERIAL_TEXELS 2
-#define RL_MATERIAL_TEXELS_WITH_TRANSFORMS 12
+#define RL_MATERIAL_SLOT_TRANSMISSION 5
 
 // The last two bits of the G-buffer's third target
 #define RL_SURFACE_AT_REST 0

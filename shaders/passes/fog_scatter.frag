@@ -64,8 +64,8 @@ vec3 clusteredScattering(LitSurface s, Piece piece, vec2 pixel) {
         vec4 modulation = texelFetch(lightTexels, light.texel + 3);
 #if defined(PUNCTUAL_SHADOW)
         if (modulation.x >= 0.0)
-            light.attenuation *= punctualVisibility(int(modulation.x), s, light.direction,
-                                                    sqrt(light.distanceSquared));
+            shadowLight(light, punctualVisibility(int(modulation.x), s, light.direction,
+                                                  sqrt(light.distanceSquared)));
 #endif
 #if defined(LIGHT_PATTERNS)
         light.intensity *= lightPattern(light, modulation, 2.0 * piece.width);

@@ -17,10 +17,15 @@ layout(std140, binding = RL_UNIFORMS_VIEW) uniform ViewBlock { ViewUniforms view
 #include "common/decals.glsl"
 #endif
 
+#if defined(TRANSMISSION)
+layout(location = 0, index = 0) out vec4 radiance;
+layout(location = 0, index = 1) out vec4 passing;  // BlendMode::filtered: what is seen of what is behind
+#else
 layout(location = 0) out vec4 radiance;  // premultiplied
+#endif
 
-/// Light of a surface behind the fog before it.
-vec3 behindFog(vec3 light) {
+/// Light of a surface behind the fog before it, which is added in front of what the surface covers.
+vec3 behindFog(vec3 light, vec3 covers) {
 #if defined(FOG)
     float viewDepth = dot(surfacePosition, view.cameraForward.xyz);
     bool perspective = view.cameraPosition.w > 0.5;
@@ -30,12 +35,13 @@ vec3 behindFog(vec3 light) {
 #if defined(EMISSION_ONLY)
     return light * (1.0 - fog.a);  // added to what the fog has covered already
 #else
-    return light * (1.0 - fog.a) + fog.rgb;
+    return light * (1.0 - fog.a) + fog.rgb * covers;
 #endif
 #else
     return light;
 #endif
 }
+vec3 behindFog(vec3 light) { return behindFog(light, vec3(1.0)); }
 
 void main() {
     SurfaceSample g = sampleSurface();
@@ -56,7 +62,20 @@ void main() {
 #if defined(IRRADIANCE_VOLUME)
     shareableLight(lightAround(surfacePosition, g.normal), g.normal, s.tint, s.flow);
 #endif
+#if defined(TRANSMISSION)
+    // What the specular lobe leaves goes through or is scattered back.
+    vec3 through = s.point.diffuseOverPi * g.transmission.color * (g.transmission.share / kInversePi);
+    s.point.diffuseOverPi *= 1.0 - g.transmission.share;
+    s.baseColor *= 1.0 - g.transmission.share;
+    float coverage = g.transmission.coverage;
+    through = clamp(mix(vec3(1.0), through, coverage), 0.0, 1.0);
+    vec3 lit = (lightSurface(s, gl_FragCoord.xy) + g.emissive) * coverage;
+    float seen = dot(through, vec3(1.0 / 3.0));
+    radiance = vec4(min(behindFog(lit, vec3(1.0) - through), RL_MAX_RADIANCE), 1.0 - seen);
+    passing = vec4(through, seen);
+#else
     vec3 lit = lightSurface(s, gl_FragCoord.xy) + g.emissive;
     radiance = vec4(min(behindFog(lit), RL_MAX_RADIANCE) * g.baseColor.a, g.baseColor.a);
+#endif
 #endif
 }

@@ -59,7 +59,19 @@ protected:
         lamp.cookie = *renderer->createLightCookie({"tint", {"tint", 1, 1, true, tint}});
         environment = *renderer->createEnvironment({"sky", 8, 4, sky});
     }
+    /// Without and with what colours light.
     void expectFinite(const char* what) {
+        expectFiniteLight(what);
+        MaterialDesc desc;
+        desc.metallic = 0;
+        desc.transmission = 0.8f;
+        desc.baseColor = {1, 0.6f, 0.2f, 1};
+        if (!pane) pane = *renderer->createMaterial(desc);
+        addBox({1, 1.5f, 1}, {0.6f, 0.02f, 0.6f}, pane);
+        expectFiniteLight(what);
+        instances.pop_back();
+    }
+    void expectFiniteLight(const char* what) {
         const CapturedImage image = render();
         float sum = 0;
         for (const float value : image.rgba32f) {
@@ -69,6 +81,7 @@ protected:
         EXPECT_GT(sum, 100) << what;
     }
 
+    MaterialHandle pane;
     Decal decal;
     DirectionalLight sun;
     PunctualLight lamp, torch;

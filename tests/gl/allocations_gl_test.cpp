@@ -26,6 +26,16 @@ TEST_F(AllocationsGl, WarmCapturesMakeNone) {
     }
 }
 
+TEST_F(AllocationsGl, WarmFramesWithColouredShadowsMakeNone) {
+    RandomScene scene(*renderer, 3);
+    MaterialDesc desc;
+    desc.transmission = 0.5f;
+    const MaterialHandle glass = renderer->createMaterial(desc).value();
+    for (size_t i = 0; i < scene.instances.size(); i += 3) scene.instances[i].material = glass;
+    scene.settings.lightShadows = true;
+    EXPECT_EQ(allocationsOfWarmCaptures(*renderer, scene), 0u);
+}
+
 TEST_F(AllocationsGl, WarmFramesWithBoundsMakeNone) {
     RandomScene scene(*renderer, 3);
     scene.settings.show = ShownImage::bounds;

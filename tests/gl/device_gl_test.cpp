@@ -273,6 +273,44 @@ TEST_F(DeviceGlTest, StateIsDefaultAtExitWhateverItWasAtEntry) {
     EXPECT_EQ(snapshot(), before);
 }
 
+TEST_F(DeviceGlTest, ColoursMultiplyWhatIsThereAndTheGreaterAlphaStays) {
+    PipelineDesc desc;
+    desc.blend = BlendMode::absorbing;
+    const PipelineHandle absorbing = pipeline("color.frag", desc);
+    desc.blend = BlendMode::additive;
+    const PipelineHandle additive = pipeline("color.frag", desc);
+    begin(0, target_, LoadOp::clear, {1, 1, 1, 0});
+    drawColor({0.4f, 1, 0, 0.6f}, absorbing);
+    drawColor({0.5f, 0.2f, 1, 0.2f}, absorbing);
+    drawColor({0.2f, 0.2f, 0.2f, 0.2f}, additive);
+    commands_.push(EndPass{0});
+    EXPECT_EQ(run(target_), (Texel{102, 102, 51, 204}));
+    GlFunctions gl;
+    ASSERT_TRUE(gl.load(&TestContext::load));
+    begin(0, target_, LoadOp::clear, {1, 1, 1, 0});
+    drawColor(vec4(0.2f), absorbing);
+    commands_.push(EndPass{0});
+    run(target_);
+    GLint equation = 0;
+    gl.GetIntegerv(GL_BLEND_EQUATION_ALPHA, &equation);
+    EXPECT_EQ(equation, GL_FUNC_ADD) << "what the host finds";
+}
+
+TEST_F(DeviceGlTest, TheSecondOutputFiltersWhatIsThere) {
+    shaders_.write("filter.frag",
+                   "layout(std140, binding = 2) uniform B { vec4 color; };\n"
+                   "layout(location = 0, index = 0) out vec4 added;\n"
+                   "layout(location = 0, index = 1) out vec4 kept;\n"
+                   "void main() { added = vec4(0.2, 0.0, 0.2, 0.4); kept = color; }\n");
+    PipelineDesc desc;
+    desc.blend = BlendMode::filtered;
+    const PipelineHandle filtered = pipeline("filter.frag", desc);
+    begin(0, target_, LoadOp::clear, {1, 0.8f, 0.4f, 0.5f});
+    drawColor({0.2f, 0.5f, 0, 0.8f}, filtered);
+    commands_.push(EndPass{0});
+    EXPECT_EQ(run(target_), (Texel{102, 102, 51, 204}));
+}
+
 TEST_F(DeviceGlTest, TimersSeePasses) {
     const PipelineHandle color = pipeline("color.frag");
     double gpuMs = 0;

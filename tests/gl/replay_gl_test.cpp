@@ -8,6 +8,7 @@
 #include "renderer/replay/texel_picture.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scene_frames.h"
+#include "tests/support/shapes.h"
 #include "tests/support/test_context.h"
 
 #include <gtest/gtest.h>
@@ -40,11 +41,14 @@ protected:
 
     /// Draws and saves a frame of `scene`; what replay gives must be what the renderer gave.
     void saveAndReplay(RandomScene& scene, uint32_t index, CaptureKind kind) {
+        saveAndReplay(scene.frame(index), kind);
+    }
+    void saveAndReplay(const FrameInput& input, CaptureKind kind) {
         std::vector<std::byte> file;
         FrameOptions options;
         options.savedFrame = &file;
         options.hashPasses = true;
-        const auto ticket = renderer->renderOffscreen(scene.frame(index), 96, 64, kind, options);
+        const auto ticket = renderer->renderOffscreen(input, 96, 64, kind, options);
         ASSERT_TRUE(ticket) << ticket.error().text();
         CapturedImage image;
         ASSERT_TRUE(renderer->takeCapture(*ticket, true, image));
@@ -102,6 +106,49 @@ TEST_F(ReplayGl, RandomScenesGiveTheSameBytes) {
     }
     EXPECT_GE(replayed, 18u);
     EXPECT_GT(cached, 0u) << "no frame used a shadow map of an earlier one";
+}
+
+// Drawn, kept, and drawn in part: the panes' maps hold what an earlier frame left.
+TEST_F(ReplayGl, ColouredShadowsGiveTheSameBytes) {
+    const MeshHandle cube = renderer->createMesh(makeCube().desc()).value();
+    MaterialDesc glass;
+    glass.metallic = 0;
+    glass.transmission = 0.9f;
+    const auto box = [&](vec3 center, vec3 half, vec3 color, bool seeThrough) {
+        glass.baseColor = vec4(color, 1);
+        glass.transmission = seeThrough ? 0.9f : 0.0f;
+        Instance instance;
+        instance.mesh = cube;
+        instance.material = renderer->createMaterial(glass).value();
+        for (int c = 0; c < 3; ++c) instance.worldFromLocal[c] *= half[c];
+        instance.worldFromLocal[3] = center;
+        return instance;
+    };
+    std::vector<Instance> instances{box({0, -0.1f, 0}, {4, 0.1f, 4}, vec3(0.8f), false),
+                                    box({0.5f, 1, 0}, {0.5f, 0.02f, 0.5f}, {0.9f, 0.2f, 0.1f}, true),
+                                    box({0, 1.5f, 0}, {0.5f, 0.02f, 0.5f}, {0.1f, 0.8f, 0.3f}, true)};
+    DirectionalLight sun;
+    sun.direction = glm::normalize(vec3(0.2f, -1, 0.1f));
+    PunctualLight lamp;
+    lamp.position = {-1, 2.5f, 1};
+    lamp.intensity = vec3(5);
+    lamp.castsShadow = true;
+    FrameInput input;
+    input.instances = instances;
+    input.lighting.directional = {&sun, 1};
+    input.lighting.punctual = {&lamp, 1};
+    input.settings.lightShadows = true;
+    input.settings.shadowAtlasSize = 512;
+    input.settings.shadowTileSize = 128;
+    input.settings.shadowResolution = 256;
+    input.view.viewFromWorld = glm::lookAt(vec3(2, 3, 5), vec3(0, 0.5f, 0), vec3(0, 1, 0));
+    for (int frame = 0; frame < 3; ++frame) {
+        if (frame == 2) instances[1].worldFromLocal[3].x -= 0.2f;
+        saveAndReplay(input, CaptureKind::hdr);
+    }
+    EXPECT_EQ(replayed, 3u);
+    EXPECT_GT(renderer->report().shadowViewsCached, 0u);
+    EXPECT_GT(renderer->report().shadowViewsDrawn, 0u);
 }
 
 TEST_F(ReplayGl, ScenesGiveTheSameBytes) {

@@ -21,3 +21,13 @@ target_include_directories(shadow_lights_gl_test PRIVATE ${PROJECT_SOURCE_DIR}/s
 target_link_libraries(shadow_lights_gl_test PRIVATE
   rushlight_renderer rushlight_raytrace ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
 gtest_discover_tests(shadow_lights_gl_test)
+
+# Light through coloured panes, on the same fixture.
+add_executable(glass_gl_test
+  glass_gl_test.cpp
+  ../support/lit_frame.cpp
+  ../support/test_context.cpp)
+target_include_directories(glass_gl_test PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
+target_link_libraries(glass_gl_test PRIVATE
+  rushlight_renderer ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
+gtest_discover_tests(glass_gl_test)

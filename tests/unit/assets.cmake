@@ -9,7 +9,8 @@ add_executable(assets_test
   assets_rules_test.cpp
   assets_area_lights_test.cpp
   assets_surroundings_test.cpp
-  assets_tangents_test.cpp)
+  assets_tangents_test.cpp
+  assets_transmission_test.cpp)
 target_link_libraries(assets_test PRIVATE
   rushlight_assets rushlight_scene rushlight_jobs OpenImageIO nlohmann_json::nlohmann_json
   GTest::gtest_main

@@ -148,6 +148,29 @@ TEST_F(MaterialStoreTest, FlagsNameWhatTheShaderNeeds) {
     EXPECT_EQ(flags(desc), uint32_t(kAlphaMask | kDoubleSided));
 }
 
+TEST_F(MaterialStoreTest, LightGoesThroughAndIsBlendedWithWhatIsBehind) {
+    MaterialDesc desc;
+    desc.transmissionTexture.image = image(4);
+    EXPECT_EQ(flags(desc), 0u) << "a factor of zero";
+    desc.transmission = 0.5f;
+    EXPECT_EQ(flags(desc), uint32_t(kBlend | kTransmission | kTransmissionTexture));
+    desc.alphaMode = AlphaMode::mask;
+    EXPECT_EQ(flags(desc), uint32_t(kBlend | kTransmission | kTransmissionTexture | kAlphaMask));
+    desc.unlit = true;
+    EXPECT_EQ(flags(desc), uint32_t(kAlphaMask | kUnlit));
+    for (const float bad : {-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN(),
+                            std::numeric_limits<float>::infinity()}) {
+        MaterialDesc wrong;
+        wrong.transmission = bad;
+        const auto refused = materials.create(wrong);
+        ASSERT_FALSE(refused);
+        EXPECT_NE(refused.error().message.find("not within 0 to 1"), std::string::npos);
+        wrong = {};
+        wrong.transmissionColor.y = bad;
+        EXPECT_FALSE(materials.create(wrong));
+    }
+}
+
 TEST_F(MaterialStoreTest, AnImageThatIsDestroyedLeavesItsMaterials) {
     MaterialDesc desc;
     desc.baseColorTexture.image = image(4);

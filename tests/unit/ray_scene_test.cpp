@@ -1,6 +1,7 @@
 #include "renderer/raytrace/ray_scene.h"
 
 #include "tests/support/random.h"
+#include "tests/support/shapes.h"
 #include "tests/support/thread_jobs.h"
 
 #include <gtest/gtest.h>
@@ -170,6 +171,47 @@ TEST(RayScene, BlendedSurfacesAreNotThereAndOthersCastShadowsAsTheyAreTold) {
     scene = sceneOf(jobs, square.desc(), {&instance, 1});
     EXPECT_TRUE(scene->intersect(ray, hit));
     EXPECT_FALSE(scene->occluded(ray));
+}
+
+TEST(RayScene, LightThatGoesThroughTakesTheColoursOfAllItMeets) {
+    SerialJobs jobs;
+    const Square square;
+    MaterialDesc glass;
+    glass.baseColor = {0.8f, 0.4f, 0.2f, 0.5f};
+    glass.metallic = 0;
+    glass.transmission = 0.5f;
+    const vec3 once = vec3(glass.baseColor) * 0.5f;
+    std::vector<Instance> panes{instanceAt(vec3(0)), instanceAt({0, -1, 0})};
+    panes[1].flags = 0;
+    const Ray ray{{0.2f, 1, 0.1f}, {0, -1, 0}}, back{{0.2f, -2, 0.1f}, {0, 1, 0}};
+    const auto expect = [&](const vec3& got, const vec3& wanted) {
+        EXPECT_LT(glm::distance(got, wanted), 1e-5f) << got.x << " " << got.y << " " << got.z;
+    };
+    auto scene = sceneOf(jobs, square.desc(), panes, glass);
+    RayHit hit;
+    EXPECT_FALSE(scene->intersect(ray, hit));
+    EXPECT_FALSE(scene->occluded(ray));
+    expect(scene->transmittance(ray), once);
+    expect(scene->transmittance(back), once);
+    expect(scene->colorBetween(ray), once * once);
+    expect(scene->colorBetween({ray.origin, ray.direction, 0, 1.5f}), once);
+    expect(scene->colorBetween({ray.origin, ray.direction, 1.5f, 9}), once);
+    expect(scene->colorBetween({{5, 1, 0}, ray.direction}), vec3(1));
+
+    glass.alphaMode = AlphaMode::blend;
+    scene = sceneOf(jobs, square.desc(), panes, glass);
+    expect(scene->transmittance(ray), glm::mix(vec3(1), once, 0.5f));
+
+    // A closed body colours light once, unless its backs are drawn too.
+    glass.alphaMode = AlphaMode::opaque;
+    const Shape cube = makeCube();
+    panes.resize(1);
+    scene = sceneOf(jobs, cube.desc(), panes, glass);
+    const Ray through{{0.2f, 5, 0.1f}, {0, -1, 0}};
+    expect(scene->transmittance(through), once);
+    glass.doubleSided = true;
+    scene = sceneOf(jobs, cube.desc(), panes, glass);
+    expect(scene->transmittance(through), once * once);
 }
 
 TEST(RayScene, ASurfaceHasItsTexturesAndFactors) {

@@ -176,6 +176,37 @@ TEST_F(Validator, ReadOnlyDepthMayBeSampledAndNotWritten) {
     EXPECT_NE(check(changed).find("\"fullscreen\" writes depth; \"extra\" is read-only"), std::string::npos);
 }
 
+TEST_F(Validator, ASecondOutputIsForOneTarget) {
+    PipelineDesc desc = *resources.device.describe(small.fullscreen);
+    desc.label = "fullscreen";
+    desc.blend = BlendMode::filtered;
+    const PipelineHandle filtering = resources.device.createPipeline(desc).value();
+    const auto painted = [&](bool twoTargets) {
+        const TextureHandle second = texture(Format::rgba8);
+        CommandBuffer changed;
+        changed.append(small.commands.data());
+        visitCommands(small.commands, [&](auto command) {
+            if constexpr (std::is_same_v<decltype(command), BeginPass>)
+                if (twoTargets && command.colorCount == 1) {
+                    command.colors[1] = command.colors[0];
+                    command.colors[1].texture = second;
+                    command.colorCount = 2;
+                }
+            if constexpr (std::is_same_v<decltype(command), EndPass>)
+                if (twoTargets) changed.push(DeclareImage{second, 1, "second"});
+            if constexpr (std::is_same_v<decltype(command), SetPipeline>)
+                if (command.pipeline == small.fullscreen) command.pipeline = filtering;
+            changed.push(command);
+        });
+        const auto& faults = validator.validate(changed, resources, ValidationRules::all);
+        return std::ranges::any_of(faults, [](const Error& fault) {
+            return fault.text().find("writes two outputs for one target; the pass has 2") != std::string::npos;
+        });
+    };
+    EXPECT_FALSE(painted(false));
+    EXPECT_TRUE(painted(true));
+}
+
 TEST_F(Validator, WrongFormats) {
     const TextureHandle color = texture(Format::rgba8, 2), depth = texture(Format::depth32f);
     const auto faults = [&](auto&& change) {

@@ -46,7 +46,9 @@ private:
     X(BindTextures, BINDTEXTURES)                               \
     X(BindVertexArray, BINDVERTEXARRAY)                         \
     X(BlendEquation, BLENDEQUATION)                             \
+    X(BlendEquationSeparate, BLENDEQUATIONSEPARATE)             \
     X(BlendFunc, BLENDFUNC)                                     \
+    X(BlendFuncSeparate, BLENDFUNCSEPARATE)                     \
     X(CheckNamedFramebufferStatus, CHECKNAMEDFRAMEBUFFERSTATUS) \
     X(ClearNamedFramebufferfv, CLEARNAMEDFRAMEBUFFERFV)         \
     X(ClearNamedFramebufferuiv, CLEARNAMEDFRAMEBUFFERUIV)       \

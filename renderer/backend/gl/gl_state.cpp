@@ -47,6 +47,7 @@ void GlState::setPipelineDefaults() {
     gl_.PolygonOffset(0, 0);
     offset_ = vec2(0);
     gl_.BlendFunc(GL_ONE, GL_ZERO);
+    if (blendMode_ == BlendMode::absorbing) gl_.BlendEquation(GL_FUNC_ADD);
     blendMode_ = BlendMode::off;
     gl_.UseProgram(program_ = 0);
     gl_.BindVertexArray(vertexArray_ = 0);
@@ -150,9 +151,21 @@ void GlState::apply(const GlFixedState& state) {
     setEnabled(GL_POLYGON_OFFSET_FILL, offsetOn_, offset != vec2(0));
     if (offsetOn_ && change(offset_, offset)) gl_.PolygonOffset(offset.x, offset.y);
     setEnabled(GL_BLEND, blendOn_, state.blend != BlendMode::off);
-    if (blendOn_ && change(blendMode_, state.blend))
-        gl_.BlendFunc(GL_ONE, state.blend == BlendMode::additive ? GL_ONE
-                                                                 : GL_ONE_MINUS_SRC_ALPHA);
+    if (blendOn_) setBlendMode(state.blend);
+}
+
+void GlState::setBlendMode(BlendMode mode) {
+    const bool absorbed = blendMode_ == BlendMode::absorbing;
+    if (!change(blendMode_, mode)) return;
+    if (mode == BlendMode::absorbing) {
+        gl_.BlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
+        gl_.BlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ONE, GL_ONE);
+        return;
+    }
+    if (absorbed) gl_.BlendEquation(GL_FUNC_ADD);
+    gl_.BlendFunc(GL_ONE, mode == BlendMode::additive   ? GL_ONE
+                          : mode == BlendMode::filtered ? GL_SRC1_COLOR
+                                                        : GL_ONE_MINUS_SRC_ALPHA);
 }
 
 void GlState::forgetTexture(GLuint texture) {

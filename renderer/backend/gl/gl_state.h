@@ -66,6 +66,7 @@ private:
     bool change(T& cached, const T& wanted);
     void setEnabled(GLenum capability, bool& cached, bool on);
     void setPipelineDefaults();
+    void setBlendMode(BlendMode mode);
 
     const GlFunctions& gl_;
     uint32_t changes_ = 0;
