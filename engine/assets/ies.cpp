@@ -1,6 +1,7 @@
 #include "engine/assets/ies.h"
 
 #include "engine/assets/gltf_file.h"
+#include "engine/assets/ies_planes.h"
 #include "engine/assets/input_error.h"
 
 #include <algorithm>
@@ -88,13 +89,15 @@ void skipTilt(IesText& text, std::string_view tilt) {
     for (size_t i = 0; i < 2 * angles; ++i) text.number("tilt factors");
 }
 
-std::vector<float> readAngles(IesText& text, size_t count, const char* what, double most) {
+std::vector<float> readAngles(IesText& text, size_t count, const char* what, double least,
+                              double most) {
     std::vector<float> angles;
     for (size_t i = 0; i < count; ++i) {
         const double angle = text.number(what);
-        if (angle < 0 || angle > most || (i > 0 && float(angle) <= angles.back()))
+        if (angle < least || angle > most || (i > 0 && float(angle) <= angles.back()))
             refuse(std::string("among its ") + what + " is " + std::to_string(angle) +
-                   "; they must increase within 0 and " + std::to_string(int(most)) + " degrees.");
+                   "; they must increase within " + std::to_string(int(least)) + " and " +
+                   std::to_string(int(most)) + " degrees.");
         angles.push_back(float(angle));
     }
     return angles;
@@ -106,6 +109,22 @@ void checkHorizontal(const std::vector<float>& angles) {
     if (first == 90 && last == 270) return;
     refuse("its horizontal angles reach from " + std::to_string(first) + " to " + std::to_string(last) +
            " degrees; type C has 0 alone, 0 to 90, 0 to 180, 0 to 360 or 90 to 270.");
+}
+
+// LM-63-2002, of both kinds of angles of types A and B.
+void checkReach(const std::vector<float>& angles, const char* what) {
+    if ((angles.front() == -90 || angles.front() == 0) && angles.back() == 90) return;
+    refuse("its " + std::string(what) + " reach from " + std::to_string(angles.front()) + " to " +
+           std::to_string(angles.back()) + " degrees; types A and B have -90 to 90 or 0 to 90.");
+}
+
+void readAllAngles(IesText& text, IesPlanes planes, size_t verticals, size_t horizontals, LightProfile& profile) {
+    const bool isC = planes == IesPlanes::c;
+    profile.verticalAngles = readAngles(text, verticals, "vertical angles", isC ? 0 : -90, isC ? 180 : 90);
+    profile.horizontalAngles = readAngles(text, horizontals, "horizontal angles", isC ? 0 : -90, isC ? 360 : 90);
+    if (isC) return checkHorizontal(profile.horizontalAngles);
+    checkReach(profile.verticalAngles, "vertical angles");
+    checkReach(profile.horizontalAngles, "horizontal angles");
 }
 
 LightProfile parse(std::string_view name, std::string_view bytes) {
@@ -123,9 +142,7 @@ LightProfile parse(std::string_view name, std::string_view bytes) {
     if (double(verticals) * double(horizontals) > kMaxValues)
         refuse("it has " + std::to_string(verticals) + " by " + std::to_string(horizontals) +
                " values of candela; the limit is " + std::to_string(int(kMaxValues)) + ".");
-    const size_t type = text.count("photometric type", 1, 3);
-    if (type != 1)
-        refuse(std::string("its photometry is of type ") + (type == 2 ? "B" : "A") + "; type C can be read.");
+    const IesPlanes planes{int(text.count("photometric type", 1, 3))};
     text.count("units type", 1, 2);
     for (const char* size : {"luminous width", "luminous length", "luminous height"}) text.number(size);
     scale *= text.number("ballast factor");
@@ -133,9 +150,7 @@ LightProfile parse(std::string_view name, std::string_view bytes) {
     text.number("input watts");
     if (!(scale > 0) || !std::isfinite(scale))
         refuse("its candela multiplier times its ballast factor is " + std::to_string(scale) + "; it must be over 0.");
-    profile.verticalAngles = readAngles(text, verticals, "vertical angles", 180);
-    profile.horizontalAngles = readAngles(text, horizontals, "horizontal angles", 360);
-    checkHorizontal(profile.horizontalAngles);
+    readAllAngles(text, planes, verticals, horizontals, profile);
     for (size_t i = 0; i < verticals * horizontals; ++i) {
         const double candela = text.number("values of candela") * scale;
         if (!(candela >= 0) || candela > 1e12)
@@ -146,7 +161,7 @@ LightProfile parse(std::string_view name, std::string_view bytes) {
     if (!(profile.largestCandela > 0)) refuse("all its values of candela are 0.");
     if (const std::string_view rest = text.rest(); !rest.empty())
         refuse("'" + std::string(rest.substr(0, 40)) + "' follows its last value of candela.");
-    return profile;
+    return asTypeC(profile, planes);
 }
 
 }  // namespace

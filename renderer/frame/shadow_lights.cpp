@@ -72,7 +72,7 @@ void ShadowLights::findWanted(const Inputs& in) {
 void ShadowLights::addIfWanted(const Inputs& in, uint32_t light, float nearest,
                                const ShadowSource& source) {
     if (!(source.range > nearest) ||
-        !intersects(in.camera->frustum, source.position, vec3(source.range)))
+        !intersects(in.camera->frustum, source.position, source.range))
         return;
     Wanted w{};
     w.light = light;

@@ -60,6 +60,12 @@ bool intersects(const Frustum& frustum, const vec3& center, const vec3& halfExte
     return true;
 }
 
+bool intersects(const Frustum& frustum, const vec3& center, float radius) {
+    for (const Plane& plane : frustum.planes)
+        if (glm::dot(plane.normal, center) + plane.offset < -radius) return false;
+    return true;
+}
+
 Result<CameraMatrices> makeCamera(const View& view, float targetAspect) {
     const auto wrong = [](const std::string& what) {
         return fail("view", what, ErrorKind::wrongUse);

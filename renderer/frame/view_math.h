@@ -50,5 +50,7 @@ Frustum frustumOf(const mat4& clipFromWorld);
 
 /// Conservative: may accept a box near an edge of the frustum that is outside.
 bool intersects(const Frustum&, const vec3& boxCenter, const vec3& boxHalfExtent);
+/// Of a ball.
+bool intersects(const Frustum&, const vec3& center, float radius);
 
 }  // namespace rushlight

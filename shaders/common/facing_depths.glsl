@@ -34,5 +34,9 @@ vec4 facingOfDepths(vec3 position, float depth, vec3 normal) {
     vec3 across = cross(x, y);
     float inverse = inversesqrt(max(dot(across, across), 1e-30));
     float along = dot(across, normal) * inverse;
-    return abs(along) > 0.9 ? vec4(across * (along < 0.0 ? -inverse : inverse), 0.0) : vec4(normal, 1.0);
+    // Depths of a plane are linear in the picture: where they bend, the pixel is narrower than what its neighbours show
+    // (a sill, a bevel), and they say nothing of it.
+    vec2 bend = abs(vec2(left + right, below + above) - 2.0 * depth);
+    bool isNarrow = any(greaterThan(bend, abs(vec2(right - left, above - below)) + 4e-7 * depth));
+    return abs(along) > 0.9 && !isNarrow ? vec4(across * (along < 0.0 ? -inverse : inverse), 0.0) : vec4(normal, 1.0);
 }

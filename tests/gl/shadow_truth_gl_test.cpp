@@ -141,8 +141,9 @@ TEST_F(ShadowTruthGl, TheSquareAtNight) {
     ShadowFigures all;
     for (uint32_t i = 0; i < lights.size(); ++i)
         all.add(lamp(input, i, 512, "square-lamp-" + std::to_string(i)));
-    // What the atlas holds is not enough for shutters and leaves far away.
-    expectFew("the square's lamps", all, {0.65, 0.85, 0.3, 0.5});
+    // Half of what is falsely lit lies on bevels and leaves narrower than a pixel, whose triangles face away from the
+    // lamp: the G-buffer holds their shading normals alone.
+    expectFew("the square's lamps", all, {0.5, 0.78, 0.22, 0.5});
 }
 
 TEST_F(ShadowTruthGl, Sponza) {

@@ -71,6 +71,48 @@ TEST(Ies, TiltFactorsAreSkippedAndNumbersMayBreakAnywhere) {
     EXPECT_EQ(profile.horizontalAngles, (std::vector<float>{0, 90}));
 }
 
+/// Of type A or B, 1 candela more each degree of both angles, the horizontal ones ten times so; -90 to 90 both ways.
+std::string slopedFile(int type, bool mirrored) {
+    std::string text = "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 7 ";
+    text.append(mirrored ? "4 " : "7 ").append(std::to_string(type));
+    text += " 2 0 0 0\n1 1 40\n-90 -60 -30 0 30 60 90\n";
+    const int first = mirrored ? 0 : -90;
+    for (int h = first; h <= 90; h += 30) text.append(std::to_string(h)).append(1, ' ');
+    for (int h = first; h <= 90; h += 30)
+        for (int v = -90; v <= 90; v += 30) text.append(1, '\n').append(std::to_string(1000 + v + 10 * h));
+    return text;
+}
+
+float candelaOf(const LightProfile& p, float vertical, float horizontal) {
+    const auto v = std::ranges::find_if(p.verticalAngles, [&](float a) { return std::abs(a - vertical) < 1e-3f; });
+    const auto h = std::ranges::find(p.horizontalAngles, horizontal);
+    EXPECT_TRUE(v != p.verticalAngles.end() && h != p.horizontalAngles.end()) << vertical << " " << horizontal;
+    return p.candela[size_t(h - p.horizontalAngles.begin()) * p.verticalAngles.size() + size_t(v - p.verticalAngles.begin())];
+}
+
+TEST(Ies, TypeAHasVerticalPlanesAndItsZeroIsTheHorizon) {
+    const LightProfile p = mustParse(slopedFile(3, false));
+    EXPECT_EQ(candelaOf(p, 90, 0), 1000);
+    EXPECT_EQ(candelaOf(p, 0, 0), 910) << "straight down is -90";
+    EXPECT_EQ(candelaOf(p, 120, 60), 1630);
+    EXPECT_EQ(candelaOf(p, 120, 300), 430);
+    EXPECT_EQ(candelaOf(p, 90, 90), 1900);
+    EXPECT_EQ(candelaOf(p, 90, 90.01f), 0) << "it is dark behind";
+    EXPECT_EQ(candelaOf(mustParse(slopedFile(3, true)), 120, 300), 1630) << "mirrored";
+}
+
+TEST(Ies, TypeBHasPlanesAboutAHorizontalAxisAndItsZeroIsDown) {
+    const LightProfile p = mustParse(slopedFile(2, false));
+    EXPECT_NEAR(candelaOf(p, 0, 0), 1000, 0.1f);
+    EXPECT_NEAR(candelaOf(p, 40, 0), 1040, 0.1f);
+    EXPECT_NEAR(candelaOf(p, 40, 90), 1400, 0.1f);
+    EXPECT_NEAR(candelaOf(p, 40, 270), 600, 0.1f);
+    // sin h = sin 45 sin 30, tan v = tan 45 cos 30
+    EXPECT_NEAR(candelaOf(p, 45, 30), 1000 + 40.8934f + 207.0481f, 0.1f);
+    EXPECT_NEAR(candelaOf(mustParse(slopedFile(2, true)), 40, 270), 1400, 0.1f) << "mirrored";
+    EXPECT_NEAR(luminousFlux(p), 2 * 3.14159265 * 1000, 30) << "a half of all around, evenly but for what cancels";
+}
+
 TEST(Ies, WhatIsWrongIsSaid) {
     const std::string head = "IESNA:LM-63-2002\nTILT=NONE\n", one = "1 1 40\n";
     const auto expect = [](const std::string& text, const char* part) {
@@ -91,8 +133,11 @@ TEST(Ies, WhatIsWrongIsSaid) {
     expect(head + "1 1 1 1000000 1 1 2 0 0 0 " + one, "1000000");
     expect(head + "1 1 1 2000 2000 1 2 0 0 0 " + one, "2000 by 2000");
     expect(head + "1 1 1 2 -3 1 2 0 0 0 " + one, "horizontal angles is -3");
-    expect(head + "1 1 1 2 1 2 2 0 0 0 " + one, "type B");
-    expect(head + "1 1 1 2 1 3 2 0 0 0 " + one, "type A");
+    expect(head + "1 1 1 2 2 4 2 0 0 0 " + one, "photometric type is 4");
+    expect(head + "1 1 1 2 2 2 2 0 0 0 " + one + "-91 90 0 90 1 1 1 1", "-91");
+    expect(head + "1 1 1 2 2 2 2 0 0 0 " + one + "-90 80 0 90 1 1 1 1", "80");
+    expect(head + "1 1 1 2 2 3 2 0 0 0 " + one + "-90 90 -45 90 1 1 1 1", "-45");
+    expect(head + "1 1 1 2 1 3 2 0 0 0 " + one + "-90 90 90 1 1", "90");
     expect(head + "1 1 0 2 1 1 2 0 0 0 " + one, "multiplier");
     expect(head + "1 1 1 2 1 1 2 0 0 0 " + one + "90 0 0 1 1", "vertical angles");
     expect(head + "1 1 1 2 1 1 2 0 0 0 " + one + "0 181 0 1 1", "181");

@@ -61,6 +61,19 @@ TEST_F(ShadowLightsTest, OnlyThoseThatCastAndReachIntoViewHaveSquares) {
     EXPECT_TRUE(shadows.records().empty());
 }
 
+TEST_F(ShadowLightsTest, ALightReachesAsFarAsABallNotAsABox) {
+    View view;
+    view.viewFromWorld = mat4(1);
+    const Plane side = makeCamera(view, 16.0f / 9).value().frustum.planes[0];
+    const vec3 ahead(0, 0, -20), beside = ahead - side.normal * (glm::dot(side.normal, ahead) + side.offset);
+    ASSERT_GT(glm::dot(glm::abs(side.normal), vec3(8)), 9.5f) << "its box would reach into view";
+    add(beside - side.normal * 9.0f);
+    EXPECT_EQ(select({0, 0, 0}, {0, 0, -1}).lights, 0u);
+    lights.clear();
+    add(beside - side.normal * 7.5f);
+    EXPECT_EQ(select({0, 0, 0}, {0, 0, -1}).lights, 1u);
+}
+
 TEST_F(ShadowLightsTest, AreaLightsHaveACubeOrTheHalfThatTheyShineTo) {
     add({0, 0, -10});
     AreaLight area[4];
