@@ -20,9 +20,15 @@ void* allocate(std::size_t size, std::size_t alignment) {
 
 uint64_t rushlight::allocationsOnThisThread() { return allocations; }
 
-// The array and nothrow forms of the library end up in these.
+// The array forms of the library end up in these; so do its nothrow forms, but not those of the address sanitizer.
 void* operator new(std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
+    return allocate(size, std::size_t(alignment));
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return allocate(size, alignof(std::max_align_t));
+}
+void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
     return allocate(size, std::size_t(alignment));
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
