@@ -10,3 +10,12 @@ target_link_libraries(explain_gl_test PRIVATE
   rushlight_answers rushlight_capture rushlight_scene_bridge rushlight_assets ${EGL_LIBRARY}
   GTest::gtest_main rushlight_options)
 gtest_discover_tests(explain_gl_test PROPERTIES TIMEOUT 300)
+
+add_executable(diagnose_gl_test
+  diagnose_gl_test.cpp
+  ../support/faulty_frames.cpp
+  ../support/lit_frame.cpp
+  ../support/test_context.cpp)
+target_link_libraries(diagnose_gl_test PRIVATE
+  rushlight_answers ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
+gtest_discover_tests(diagnose_gl_test PROPERTIES TIMEOUT 600)

@@ -71,7 +71,7 @@ protected:
 
 TEST_F(Explain, RandomPixelsOfTheTestCardAddUp) {
     SceneView view;
-    explainScene(RUSHLIGHT_SOURCE "/content/testcard/testcard.gltf", view, 300);
+    explainScene(RUSHLIGHT_SOURCE "/content/testcard/testcard.gltf", view, 400);
     EXPECT_GT(brightest, 0.0f);
 }
 
