@@ -27,6 +27,7 @@ Diagnosis diagnose(const FrameInput& input, const FrameEvidence& evidence) {
     judgeRefusal(j);
     Diagnosis diagnosis{evidence.look, {}};
     const bool fine = evidence.hasPictures && evidence.look.isFine() && !evidence.instances.empty();
+    if (fine && evidence.look.isMostlyBlack()) judgeMaterials(j);
     if (!evidence.refusal && !fine) {
         j.survey = survey(input.view, j.aspect(), evidence.instances);
         judgeContents(j);

@@ -45,7 +45,7 @@ Result<void> Gatherer::gather() {
     const auto found = look(input_);
     if (!found) return tl::unexpected(found.error());
     evidence_.look = *found;
-    if (found->isFine() || evidence_.instances.empty()) return {};
+    if (evidence_.instances.empty() || (found->isFine() && !found->isMostlyBlack())) return {};
     if (auto ok = lookAtSurface(); !ok) return ok;
     return takeTrials();
 }
@@ -66,7 +66,9 @@ Result<FrameLook> Gatherer::look(const FrameInput& frame) {
     if (!empty) return tl::unexpected(empty.error());
     const auto depth = shots_.take(frame, ShownImage::depth, CaptureKind::hdr);
     if (!depth) return tl::unexpected(depth.error());
-    return lookOf({&*display, &*linear, &*empty, &*depth}, !evidence_.instances.empty());
+    FrameLook look = lookOf({&*display, &*linear, &*empty, &*depth}, !evidence_.instances.empty());
+    look.veiled = veiledBy(frame.lighting.fog, frame.view, *depth);
+    return look;
 }
 
 Result<void> Gatherer::lookAtSurface() {

@@ -27,6 +27,7 @@ void judgeSurfaces(Judgement&);
 /// Something is drawn, and it is black, white or of one colour.
 void judgeLights(Judgement&);
 void judgeLook(Judgement&);
+void judgeMaterials(Judgement&);
 void judgeExposure(Judgement&);
 
 /// With up to four digits.

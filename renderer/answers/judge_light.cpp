@@ -65,11 +65,18 @@ void judgeReach(Judgement& j) {
           "Give the lights a larger range (0: unbounded), or move them closer; ranges are in metres.");
 }
 
+/// Light that travels upwards is rarely meant.
+bool anySunRises(const Lighting& l) {
+    return std::ranges::any_of(l.directional, [](const DirectionalLight& sun) {
+        return sun.direction.y > 0.1f * glm::length(sun.direction);
+    });
+}
+
 void judgeTrials(Judgement& j) {
     const Lighting& l = j.input.lighting;
     const FrameEvidence& e = j.evidence;
     if (e.revives(Trial::lightsTurned))
-        j.add(Cause::lightDirection, 0.93f,
+        j.add(Cause::lightDirection, anySunRises(l) ? 0.95f : 0.93f,
               (l.directional.empty() ? std::string("The spots and flat lights shine away from what is seen")
                                      : "The sun travels along " + text(l.directional[0].direction)) +
                   "; turned round, the frame is fine.",
@@ -82,7 +89,8 @@ void judgeTrials(Judgement& j) {
               "(clear kInstanceCastsShadow), or add ambient light.");
     if (e.revives(Trial::noFog))
         j.add(Cause::fog, 0.96f,
-              "The fog takes " + number(l.fog.density) + " of the light per metre; without it the frame is fine.",
+              "The fog's density is " + number(l.fog.density) + " per metre, which hides " +
+                  percent(e.look.veiled) + " of the surfaces; without it the frame is fine.",
               "Lower Fog::density: 1 / density is the distance in metres at which 37 % of the light is left.");
     if (e.revives(Trial::frameShown))
         j.add(Cause::shownImage, 0.99f,
@@ -91,17 +99,21 @@ void judgeTrials(Judgement& j) {
               "Set FrameSettings::show to ShownImage::frame.");
 }
 
+}  // namespace
+
 void judgeMaterials(Judgement& j) {
     const FrameEvidence& e = j.evidence;
     uint32_t black = 0;
     for (const MaterialDesc& m : e.materials) black += peak(vec3(m.baseColor)) < 0.01f;
-    if (e.surface.baseColor < 0.02f && e.revives(Trial::whiteMaterials))
+    if (e.surface.baseColor < 0.02f && e.revives(Trial::whiteMaterials) &&
+        !e.of(Trial::whiteMaterials).look.isMostlyBlack())
         j.add(Cause::blackMaterials, 0.95f,
               "The base colours in view are at most " + number(e.surface.baseColor) + " (" +
                   std::to_string(black) + " of " + std::to_string(e.materials.size()) +
                   " objects have a black factor, the others a black texture or black vertex colours); in white the frame is fine.",
               "Check the base colour factor and its texture: whether it was found and decoded, and whether the texture coordinates hit it.");
-    else if (e.surface.metallic > 0.5f && e.revives(Trial::noMetals))
+    else if (e.surface.metallic > 0.5f && e.revives(Trial::noMetals) &&
+             !e.of(Trial::noMetals).look.isMostlyBlack())
         j.add(Cause::mirrorsNothing, 0.95f,
               "What is in view is metal by " + percent(e.surface.metallic) +
                   ", and a metal shows only what it mirrors" +
@@ -109,8 +121,6 @@ void judgeMaterials(Judgement& j) {
                   ". Without metal the frame is fine.",
               "Add an environment or ambient light, or set metallic to 0 where no metal is meant; glTF's default is 1.");
 }
-
-}  // namespace
 
 bool hasAmbientLight(const Lighting& l) {
     const bool environment = l.environment && l.environmentIntensity > 0;

@@ -1,6 +1,7 @@
 #include "renderer/answers/picture_statistics.h"
 
 #include "interop/tonemap.h"
+#include "renderer/frame/view_math.h"
 
 #include <algorithm>
 #include <array>
@@ -56,6 +57,8 @@ bool FrameLook::isBlack() const {
     return std::max(brightest, drawn >= 0.0005f ? brightestDrawn : 0) <= kBlackCode;
 }
 
+bool FrameLook::isMostlyBlack() const { return drawn >= 0.01f && common <= kBlackCode; }
+
 bool FrameLook::isWhite() const { return drawn >= 0.01f && darkest >= kWhiteCode; }
 
 const char* FrameLook::name() const {
@@ -63,6 +66,7 @@ const char* FrameLook::name() const {
     if (isEmpty()) return "empty";
     if (isBlack()) return "black";
     if (isWhite()) return "white";
+    if (isVeiled()) return "veiled";
     return isFlat() ? "of one colour" : "fine";
 }
 
@@ -95,6 +99,7 @@ FrameLook lookOf(const LookPictures& in, bool expectsDrawn) {
     look.notFinite = float(double(notFinite) / double(count));
     look.brightest = brightest.below(0.99);
     look.brightestDrawn = drawnBrightest.below(0.99);
+    look.common = drawnBrightest.below(0.75);
     look.darkest = drawn ? drawnDarkest.below(0.01) : 0;
     for (const Histogram& channel : channels)
         look.range = std::max(look.range, channel.below(0.995) - channel.below(0.005));
@@ -102,6 +107,36 @@ FrameLook lookOf(const LookPictures& in, bool expectsDrawn) {
     look.typical = positive ? float(std::exp(logSum / double(positive))) : 0;
     look.alpha = float(alpha / double(count));
     return look;
+}
+
+namespace {
+
+/// Extinction along a way of `length` metres that begins at the height `low` and rises by `rise`: the integral of
+/// Fog::density's exponential.
+float opticalDepth(const Fog& fog, float low, float rise, float length) {
+    const float k = fog.heightFalloff;
+    const float atEye = fog.density * std::exp(-k * (low - fog.height));
+    const float x = k * rise;
+    return atEye * length * (std::abs(x) < 1e-4f ? 1 : (1 - std::exp(-x)) / x);
+}
+
+}  // namespace
+
+float veiledBy(const Fog& fog, const View& view, const CapturedImage& depth) {
+    const auto camera = makeCamera(view, float(depth.width) / float(depth.height));
+    if (!camera || !(fog.density > 0)) return 0;
+    size_t surfaces = 0, veiled = 0;
+    for (uint32_t y = 0; y < depth.height; ++y)
+        for (uint32_t x = 0; x < depth.width; ++x) {
+            const float d = depth.rgba32f[(size_t(y) * depth.width + x) * 4];
+            if (!(d > 0)) continue;
+            const float linear = d * camera->depthDecode.x + camera->depthDecode.y;
+            const vec2 uv((float(x) + 0.5f) / float(depth.width), 1 - (float(y) + 0.5f) / float(depth.height));
+            const vec3 way = camera->relativePosition(uv, camera->perspective ? 1 / linear : linear);
+            ++surfaces;
+            veiled += opticalDepth(fog, camera->position.y, way.y, glm::length(way)) > std::log(255.0f);
+        }
+    return surfaces ? float(double(veiled) / double(surfaces)) : 0;
 }
 
 SurfaceLook surfaceOf(const CapturedImage& baseColor, const CapturedImage& metallic,

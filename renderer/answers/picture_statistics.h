@@ -11,19 +11,25 @@ struct FrameLook {
     float notFinite = 0;      ///< share of pixels whose linear radiance is NaN or infinite
     int brightest = 0;        ///< code that one pixel in a hundred exceeds
     int brightestDrawn = 0;   ///< of the drawn pixels
+    int common = 0;           ///< code that one drawn pixel in four exceeds
     int darkest = 0;          ///< code of the darkest channel that 99 of a hundred drawn pixels exceed
     int range = 0;            ///< largest spread of a channel between its 1st and 99th hundredth
     float luminance = 0;      ///< linear, that one drawn pixel in a hundred exceeds
     float typical = 0;        ///< geometric mean of the linear luminance of drawn pixels that have any
     float alpha = 1;          ///< mean of the displayed picture
+    float veiled = 0;         ///< share of the surfaces' pixels of which fog leaves less than a code
     bool expectsDrawn = true;  ///< there is something to be drawn
 
     bool isEmpty() const { return expectsDrawn && drawn < 0.0005f; }
     bool isBlack() const;
     bool isWhite() const;  ///< drawn pixels are
     bool isFlat() const { return range <= 3; }
+    bool isVeiled() const { return veiled > 0.98f; }
+    /// Only highlights or a few things are seen. Nights look so too.
+    bool isMostlyBlack() const;
     bool isFine() const {
-        return !isEmpty() && !isBlack() && !isWhite() && !isFlat() && notFinite < 0.001f;
+        return !isEmpty() && !isBlack() && !isWhite() && !isFlat() && !isVeiled() &&
+               notFinite < 0.001f;
     }
     const char* name() const;  ///< "black", "white", "empty", ..., "fine"
 };
@@ -41,6 +47,8 @@ struct LookPictures {
     const CapturedImage* depth = nullptr;
 };
 FrameLook lookOf(const LookPictures& pictures, bool expectsDrawn);
+/// Share of the surfaces' pixels of which fog leaves less than a 255th.
+float veiledBy(const Fog& fog, const View& view, const CapturedImage& depth);
 SurfaceLook surfaceOf(const CapturedImage& baseColor, const CapturedImage& metallic,
                       const CapturedImage& depth);
 

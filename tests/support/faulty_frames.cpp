@@ -342,8 +342,8 @@ std::vector<FaultyFrame> faultsOfLight() {
          }},
         {"direction towards the sun", Cause::lightDirection, buildYard,
          [](Stage& s) { noAmbient(s), s.suns[0].direction = -s.suns[0].direction; }},
-        {"spot and panel turned round", Cause::lightDirection, buildShop,
-         [](Stage& s) { s.lamps[0].direction = -s.lamps[0].direction, s.panels[0].halfX = -s.panels[0].halfX; }},
+        {"spot turned round", Cause::lightDirection, buildShop,
+         [](Stage& s) { s.panels.clear(), s.lamps[0].direction = -s.lamps[0].direction; }},
         {"a sky dome that casts", Cause::shadowed, buildYard,
          [](Stage& s) {
              noAmbient(s);
