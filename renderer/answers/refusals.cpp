@@ -59,12 +59,15 @@ bool judgePlanes(Judgement& j) {
 
 std::string number(double value) {
     char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.4g", value);
+    std::snprintf(buffer, sizeof buffer, "%.4g", value + 0.0);  // no -0
     return buffer;
 }
 
 std::string text(const vec3& v) {
-    return "(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")";
+    char buffer[96];
+    std::snprintf(buffer, sizeof buffer, "(%s, %s, %s)", number(v.x).c_str(), number(v.y).c_str(),
+                  number(v.z).c_str());
+    return buffer;
 }
 
 std::string percent(double share) { return number(share * 100) + " %"; }

@@ -356,11 +356,59 @@ std::vector<FaultyFrame> faultsOfLight() {
     };
 }
 
+// Written after the ranking, which was not changed for them.
+std::vector<FaultyFrame> laterFaults() {
+    return {
+        {"one world forgotten for another", Cause::emptyScene, buildShop,
+         [](Stage& s) { s.instances.clear(), s.input.world = s.renderer.createWorld(); }},
+        {"up is along the view", Cause::viewNotFinite, buildField,
+         [](Stage& s) { s.input.view.viewFromWorld = glm::lookAt(s.eye, s.eye - vec3(0, 3, 0), vec3(0, 1, 0)); }},
+        {"field of view of zero", Cause::fieldOfView, buildShop, [](Stage& s) { s.input.view.verticalFov = 0; }},
+        {"row-major view of the shop", Cause::viewTransposed, buildShop,
+         [](Stage& s) { s.input.view.viewFromWorld = glm::transpose(s.input.view.viewFromWorld); }},
+        {"camera's transform for its inverse, shop", Cause::viewInverted, buildShop,
+         [](Stage& s) { s.input.view.viewFromWorld = glm::inverse(s.input.view.viewFromWorld); }},
+        {"camera looks out of the field", Cause::behindCamera, buildField,
+         [](Stage& s) { s.eye = vec3(0, 2, 45), s.target = vec3(0, 2, 90), s.look(); }},
+        {"far plane before the field", Cause::beyondFar, buildField,
+         [](Stage& s) { s.eye = vec3(0, 5, 400), s.look(), s.input.view.farPlane = 100; }},
+        {"yard in kilometres", Cause::tooSmall, buildYard, [](Stage& s) { s.scale(1e-5f); }},
+        {"glass without alpha", Cause::alpha, buildCards,
+         [](Stage& s) {
+             s.repaint([](MaterialDesc& m) { m.alphaMode = AlphaMode::blend, m.baseColor.a = 0; });
+         }},
+        {"ambient light forgotten by night", Cause::noLights, buildCards, [](Stage& s) { s.suns.clear(); }},
+        {"a factor where a value was meant", Cause::exposure, buildYard,
+         [](Stage& s) { s.input.settings.exposureScale = 1 / 65536.0f / 16; }},
+        {"exposed for the stars by day", Cause::exposure, buildYard,
+         [](Stage& s) { s.input.settings.useExposureValue = true, s.input.settings.exposureValue = -9; }},
+        {"spots reach a centimetre", Cause::lightsOutOfRange, buildShop,
+         [](Stage& s) { s.panels.clear(), s.lamps[0].range = 0.05f; }},
+        {"cards lit from behind", Cause::lightDirection, buildCards,
+         [](Stage& s) { s.suns[0].direction = -s.suns[0].direction; }},
+        {"lamp posts within their lamps", Cause::shadowed, buildCellar,
+         [](Stage& s) {
+             for (const PunctualLight& light : s.lamps) s.box(light.position, vec3(0.2f), s.instances[0].material);
+         }},
+        {"soup over the field", Cause::fog, buildField, [](Stage& s) { s.input.lighting.fog.density = 5; }},
+        {"roughness for depth", Cause::shownImage, buildCards,
+         [](Stage& s) { s.input.settings.show = ShownImage::metallic; }},
+        {"five suns", Cause::refused, buildField, [](Stage& s) { s.suns.resize(5, s.suns[0]); }},
+        {"a texture of ink", Cause::blackMaterials, buildCards,
+         [](Stage& s) {
+             const ImageHandle image = plainImage(s, 0);
+             s.repaint([&](MaterialDesc& m) { m.baseColorTexture.image = image, m.roughness = 1; });
+         }},
+        {"default materials by lamplight", Cause::mirrorsNothing, buildCards,
+         [](Stage& s) { s.repaint([](MaterialDesc& m) { m.metallic = 1, m.roughness = 0.1f; }); }},
+    };
+}
+
 }  // namespace
 
 std::vector<FaultyFrame> faultyFrames() {
     std::vector<FaultyFrame> all;
-    for (auto faults : {faultsOfContents(), faultsOfViews(), faultsOfSurfaces(), faultsOfLight()})
+    for (auto faults : {faultsOfContents(), faultsOfViews(), faultsOfSurfaces(), faultsOfLight(), laterFaults()})
         all.insert(all.end(), faults.begin(), faults.end());
     return all;
 }
