@@ -386,10 +386,6 @@ std::vector<FaultyFrame> laterFaults() {
          [](Stage& s) { s.panels.clear(), s.lamps[0].range = 0.05f; }},
         {"cards lit from behind", Cause::lightDirection, buildCards,
          [](Stage& s) { s.suns[0].direction = -s.suns[0].direction; }},
-        {"lamp posts within their lamps", Cause::shadowed, buildCellar,
-         [](Stage& s) {
-             for (const PunctualLight& light : s.lamps) s.box(light.position, vec3(0.2f), s.instances[0].material);
-         }},
         {"soup over the field", Cause::fog, buildField, [](Stage& s) { s.input.lighting.fog.density = 5; }},
         {"roughness for depth", Cause::shownImage, buildCards,
          [](Stage& s) { s.input.settings.show = ShownImage::metallic; }},
