@@ -138,6 +138,7 @@ void FrameRenderer::prepareWorlds(const FrameInput& input) {
     materials.clearChanges();
     frameInstances_.assign(input.instances, jobs_);
     frameInstances_.prepare(geometry, materials, input.previousTransforms, jobs_);
+    lastWorld_ = input.world;
     frameWorlds_.worlds = {worlds.find(input.world), &frameInstances_};
     if (InstanceWorld* kept = frameWorlds_.worlds[0]) kept->prepare(geometry, materials, {}, jobs_);
 }
@@ -234,7 +235,10 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
     if (!forward) return tl::unexpected(forward.error());
 
     if (output.hdr) {
-        capturedImage_ = forward->radiance;
+        const auto captured =
+            planLinearCapture(input, output, forward->radiance, gbuffer->depth);
+        if (!captured) return tl::unexpected(captured.error());
+        capturedImage_ = *captured;
         plan_.requestImage(capturedImage_);
         return {};
     }

@@ -74,6 +74,7 @@ public:
     void setValidation(bool on) { validates_ = on; }
 
     const FrameReport& report();
+    std::vector<InstanceFacts> describeInstances() const;
     const CommandBuffer& commands() const { return submitted_.newestCommands(); }
 
 private:
@@ -103,6 +104,9 @@ private:
     /// Fog over the lit scene; a null image without.
     Result<ImageId> planFog(const FrameInput&, const LightingBindings&, ImageId radiance,
                             ImageId depth);
+    /// The image that an HDR capture reads back.
+    Result<ImageId> planLinearCapture(const FrameInput&, const FrameOutput&, ImageId radiance,
+                                      ImageId depth);
     /// From linear radiance to the final target.
     Result<void> planDisplay(const FrameInput&, const FinalTarget&, ImageId radiance);
     Result<void> planDebugView(const FrameInput&, const FinalTarget&, const CameraMatrices&,
@@ -155,6 +159,7 @@ private:
     std::vector<PassReport> sparePassReports_;
     InstanceWorld frameInstances_;  ///< of FrameInput::instances
     FrameWorlds frameWorlds_;
+    WorldHandle lastWorld_;  ///< which of the host's that was, if it still lives
     Visibility visibility_;
     Visibility::Lists lists_;
     Visibility::Counts counts_;

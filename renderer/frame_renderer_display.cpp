@@ -6,6 +6,17 @@
 
 namespace rushlight {
 
+Result<ImageId> FrameRenderer::planLinearCapture(const FrameInput& input,
+                                                 const FrameOutput& output, ImageId radiance,
+                                                 ImageId depth) {
+    if (input.settings.show == ShownImage::depth) return depth;
+    if (input.settings.show != ShownImage::bloom) return radiance;
+    const auto bloom =
+        bloomPass_.add(plan_, {radiance, &commands_, output.target.width, output.target.height});
+    if (!bloom) return tl::unexpected(bloom.error());
+    return bloom->bloom;
+}
+
 Result<void> FrameRenderer::planDisplay(const FrameInput& input, const FinalTarget& target,
                                         ImageId radiance) {
     const FrameSettings& settings = input.settings;

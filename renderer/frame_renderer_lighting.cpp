@@ -29,6 +29,7 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
     b.features.environment = environment != nullptr;
     b.features.hemisphere =
         lighting.ambientSky != vec3(0) || lighting.ambientGround != vec3(0);
+    b.features.ambientReflections = input.settings.ambientReflections;
     b.features.orthographic = !camera.perspective;
     if (volume) {
         b.features.irradianceVolume = true;

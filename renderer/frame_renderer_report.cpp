@@ -1,5 +1,7 @@
 #include "renderer/frame_renderer.h"
 
+#include <algorithm>
+
 namespace rushlight {
 namespace {
 
@@ -48,6 +50,32 @@ void FrameRenderer::fillReport(const FrameInput& input) {
                  " instances are left out: their mesh or material handle is stale, their "
                  "previous transform is missing, or their transform is not finite.");
     }
+}
+
+std::vector<InstanceFacts> FrameRenderer::describeInstances() const {
+    std::vector<InstanceFacts> all;
+    for (const InstanceWorld* world : {worlds.find(lastWorld_), &frameInstances_}) {
+        if (!world) continue;
+        world->forEach([&](uint32_t slot, const InstanceRecord& record) {
+            InstanceFacts& facts = all.emplace_back();
+            facts.instance = {record.worldFromLocal, record.mesh,          record.material,
+                              record.id,             record.instanceFlags, record.previousTransform};
+            facts.kept = world != &frameInstances_;
+            facts.index = slot;
+            facts.rejected = !record.valid;
+            facts.staleMaterial = !materials.find(record.material);
+            facts.bounds = record.box;
+            const GpuMesh* mesh = geometry.find(record.mesh);
+            facts.staleMesh = !mesh;
+            facts.notFinite = facts.rejected && mesh && !facts.staleMaterial;
+            if (!mesh) return;
+            facts.lodCount = uint8_t(mesh->lodCount);
+            facts.lod = uint8_t(std::min<uint32_t>(record.cameraLod, mesh->lodCount - 1));
+            facts.triangles = mesh->lods[facts.lod].indexCount / 3;
+            facts.closed = mesh->closed;
+        });
+    }
+    return all;
 }
 
 void FrameRenderer::describePasses(SubmittedFrame& frame) const {

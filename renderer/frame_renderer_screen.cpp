@@ -35,7 +35,8 @@ Result<ImageId> FrameRenderer::planReflections(const FrameInput& input,
                                                const LightingPass::Inputs& lit, ImageId radiance) {
     const ShownImage show = input.settings.show;
     const bool alone = show == ShownImage::reflections;
-    if (!alone && (!input.settings.reflections || show == ShownImage::lighting)) return radiance;
+    const bool mirrors = input.settings.reflections && input.settings.ambientReflections;
+    if (!alone && (!mirrors || show == ShownImage::lighting)) return radiance;
     const interop::ScreenUniforms screen = makeScreenUniforms(camera, lit.width, lit.height);
     const auto pyramid = pyramidPass_.add(
         plan_, {radiance, lit.gbuffer.depth, screen, &commands_, lit.width, lit.height});

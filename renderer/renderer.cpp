@@ -36,6 +36,17 @@ constexpr bool kDebugBuild = false;
 constexpr bool kDebugBuild = true;
 #endif
 
+vec4 linearTexel(Format format, const std::byte* bytes) {
+    const auto read = [bytes]<class T>(T value) {
+        std::memcpy(&value, bytes, sizeof value);
+        return value;
+    };
+    if (format == Format::depth32f) return {read(0.0f), 0, 0, 1};
+    if (format == Format::r11g11b10f) return {glm::unpackF2x11_1x10(read(uint32_t(0))), 1};
+    RL_CHECK(format == Format::rgba16f, "a capture is RGBA8, RGBA16F, R11G11B10F or a depth");
+    return glm::unpackHalf4x16(read(uint64_t(0)));
+}
+
 // From rows at v = 0 (the bottom) to rows from the top.
 void convert(const ReadbackImage& from, CapturedImage& to) {
     to.width = from.width;
@@ -51,15 +62,14 @@ void convert(const ReadbackImage& from, CapturedImage& to) {
                         from.bytes.data() + (from.height - 1 - y) * row, row);
         return;
     }
-    RL_CHECK(from.format == Format::rgba16f, "a capture is RGBA8 or RGBA16F");
     to.rgba32f.resize(rowTexels * from.height * 4);
+    const size_t texel = bytesPerTexel(from.format);
     for (uint32_t y = 0; y < from.height; ++y) {
-        const std::byte* in = from.bytes.data() + (from.height - 1 - y) * rowTexels * 8;
+        const std::byte* in = from.bytes.data() + (from.height - 1 - y) * rowTexels * texel;
         float* out = to.rgba32f.data() + y * rowTexels * 4;
-        for (size_t x = 0; x < rowTexels * 4; ++x) {
-            uint16_t half;
-            std::memcpy(&half, in + x * 2, 2);
-            out[x] = glm::unpackHalf1x16(half);
+        for (size_t x = 0; x < rowTexels; ++x, in += texel, out += 4) {
+            const vec4 color = linearTexel(from.format, in);
+            std::memcpy(out, &color, sizeof color);
         }
     }
 }
@@ -346,6 +356,16 @@ bool Renderer::takeCapture(CaptureTicket ticket, bool wait, CapturedImage& image
 }
 
 const FrameReport& Renderer::report() const { return state_->frames->report(); }
+std::vector<InstanceFacts> Renderer::describeInstances() const {
+    const Use use(*state_);
+    return use.goodOrLogged() ? state_->frames->describeInstances() : std::vector<InstanceFacts>{};
+}
+std::optional<MaterialDesc> Renderer::describeMaterial(MaterialHandle material) const {
+    const Use use(*state_);
+    const MaterialDesc* desc =
+        use.goodOrLogged() ? state_->frames->materials.describe(material) : nullptr;
+    return desc ? std::optional(*desc) : std::nullopt;
+}
 std::string Renderer::printCommands() const { return print(state_->frames->commands()); }
 Result<uint32_t> Renderer::reloadShaders() {
     const Use use(*state_);

@@ -11,6 +11,7 @@
 #include "renderer/commands/resources.h"
 #include "renderer/frame/frame_input.h"
 #include "renderer/frame/frame_report.h"
+#include "renderer/frame/instance_facts.h"
 #include "renderer/frame/irradiance_volume.h"
 #include "renderer/frame/quality.h"
 
@@ -59,7 +60,9 @@ struct CapturedImage {
 
 enum class CaptureKind : uint8_t {
     display,  ///< what is presented: tone mapped, 8 bit sRGB
-    hdr,      ///< linear, before exposure and tone mapping
+    /// Linear, before exposure and tone mapping. FrameSettings::show may ask for two other images, as they are: `bloom`,
+    /// of half the size, and `depth`, the device's reversed z in red.
+    hdr,
 };
 
 /// Names a capture that was asked for.
@@ -141,6 +144,13 @@ public:
     /// What the last render did. The GPU times are those of the last frame whose queries are back. Good until the next
     /// call of render, renderOffscreen or report.
     const FrameReport& report() const;
+
+    // Answers for tools (renderer/answers); slow.
+
+    /// All instances of the last frame, the kept world's first.
+    std::vector<InstanceFacts> describeInstances() const;
+    /// What a material was made of, without its label; of a zero handle the default. Nothing for a stale one.
+    std::optional<MaterialDesc> describeMaterial(MaterialHandle) const;
 
     /// The commands of the last frame as text.
     std::string printCommands() const;

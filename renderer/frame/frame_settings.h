@@ -61,6 +61,9 @@ struct FrameSettings {
     /// Smooth surfaces mirror what the screen shows, instead of the environment where that is known. Of opaque surfaces,
     /// before blended ones are drawn.
     bool reflections = false;
+    /// Surfaces mirror what is around them: the environment, the hemisphere, probes. Without it neither does the screen;
+    /// what ambient light is left is the diffuse one.
+    bool ambientReflections = true;
     bool bloom = true;
     float bloomStrength = 0.04f;
     float exposureScale = 1;     ///< linear factor on radiance, used when neither below is

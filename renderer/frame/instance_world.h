@@ -66,6 +66,12 @@ public:
     const mat4x3& previousTransform(const InstanceRecord& record) const {
         return previous_[record.previousTransform];
     }
+    /// f(slot, record) of all that it holds, rejected ones too.
+    template <class F>
+    void forEach(F&& f) const {
+        for (uint32_t slot = 0; slot < records_.size(); ++slot)
+            if (alive_[slot]) f(slot, records_[slot]);
+    }
     std::span<const SpatialIndex> indices() const { return indices_; }
     /// Another number whenever anything in that index changed: what it holds, where it is or how it is drawn.
     uint64_t version(uint32_t index) const { return versions_[index]; }

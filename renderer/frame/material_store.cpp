@@ -133,6 +133,11 @@ const GpuMaterial* MaterialStore::find(MaterialHandle handle) const {
     return stored ? &stored->gpu : nullptr;
 }
 
+const MaterialDesc* MaterialStore::describe(MaterialHandle handle) const {
+    const Stored* stored = materials_.find(handle ? handle : default_);
+    return stored ? &stored->desc : nullptr;
+}
+
 BufferRange MaterialStore::buffer() const { return {buffer_, 0, 0, bufferSize_}; }
 
 uint32_t MaterialStore::internSet(const TextureSet& set) {

@@ -47,6 +47,8 @@ public:
 
     /// glTF's default material for a zero handle, null for a stale one.
     const GpuMaterial* find(MaterialHandle material) const;
+    /// What it was made of, without its label; as find().
+    const MaterialDesc* describe(MaterialHandle material) const;
     const TextureSet& textureSet(uint32_t index) const { return sets_[index]; }
     BufferRange buffer() const;
 

@@ -59,6 +59,7 @@ void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) con
     if (atlasGlass) defines.push_back("ATLAS_GLASS");
     if (environment) defines.push_back("ENVIRONMENT");
     else if (hemisphere) defines.push_back("HEMISPHERE");
+    if (!ambientReflections) defines.push_back("NO_AMBIENT_REFLECTIONS");
     if (orthographic) defines.push_back("ORTHOGRAPHIC");
     if (irradianceVolume) defines.push_back("IRRADIANCE_VOLUME");
     if (reflectionProbes) defines.push_back("REFLECTION_PROBES");

@@ -28,6 +28,7 @@ struct LightingFeatures {
     bool irradianceVolume = false;  ///< the environment's irradiance, or the hemisphere, is not read then
 
     bool reflectionProbes = false;  ///< before the environment, the hemisphere or the irradiance volume
+    bool ambientReflections = true;  ///< FrameSettings::ambientReflections
     bool areaLights = false;       ///< LightClass::area
     bool areaShadow = false;       ///< some of them have shadow records
     bool sunGlass = false;         ///< light of suns goes through what colours it

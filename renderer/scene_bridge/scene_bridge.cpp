@@ -259,6 +259,17 @@ bool SceneBridge::hasLights() const {
            !state_->lights.area.empty();
 }
 
+ObjectNames SceneBridge::objectNames(uint32_t instance) const {
+    RL_CHECK(instance < state_->drawables.size(), "the instance is one of the bridge's");
+    const scene::Drawable& drawable = state_->drawables[instance];
+    const assets::Model& model = state_->model;
+    const assets::Node& node = model.nodes[size_t(drawable.node)];
+    ObjectNames names{node.name, {}, {}};
+    if (node.mesh >= 0) names.mesh = model.meshes[size_t(node.mesh)].name;
+    if (drawable.material >= 0) names.material = model.materials[size_t(drawable.material)].name;
+    return names;
+}
+
 Aabb SceneBridge::bounds() const {
     Aabb all;
     for (size_t i = 0; i < state_->instances.size(); ++i)

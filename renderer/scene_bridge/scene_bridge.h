@@ -13,6 +13,11 @@
 
 namespace rushlight {
 
+/// What a file calls an object; names may be empty.
+struct ObjectNames {
+    std::string node, mesh, material;
+};
+
 class SceneBridge {
 public:
     /// Uploads all that the shown scene uses: an image once per use as colour or as data, a mesh
@@ -43,6 +48,9 @@ public:
     /// Two bounces: each is captured twice, with six frames and a prefiltering.
     Result<void> captureReflections(const FrameInput& input);
     bool hasReflectionProbes() const;
+
+    /// Of an index into FrameInput::instances of fill(), which is Instance::id too.
+    ObjectNames objectNames(uint32_t instance) const;
 
     Aabb bounds() const;  ///< of all instances, world space; empty when nothing is shown
 

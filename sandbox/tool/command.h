@@ -12,6 +12,7 @@ namespace rushlight::tool {
 
 inline constexpr int kSuccess = 0;
 inline constexpr int kComparisonFailed = 1;
+inline constexpr int kCauseFound = 1;
 
 /// Set by the subcommand that was chosen; run after all options are read. The value is the exit
 /// code.
@@ -28,7 +29,9 @@ void addBake(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addCapture(CLI::App& app, Action& action);
 void addCompare(CLI::App& app, Action& action);
+void addDiagnose(CLI::App& app, Action& action);
 void addDoctor(CLI::App& app, Action& action);
+void addExplain(CLI::App& app, Action& action);
 void addInfo(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);
 void addView(CLI::App& app, Action& action);

@@ -19,6 +19,8 @@ int run(int argumentCount, char** arguments) {
     addBake(app, action);
     addInfo(app, action);
     addReplay(app, action);
+    addDiagnose(app, action);
+    addExplain(app, action);
     addDoctor(app, action);
     addView(app, action);
     try {

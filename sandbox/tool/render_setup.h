@@ -28,6 +28,9 @@ public:
     /// The frame as the options ask for it. Its spans are good until the next setTime.
     FrameInput frame() const;
 
+    /// Of FrameInput::instances.
+    ObjectNames objectNames(uint32_t instance) const { return bridge_->objectNames(instance); }
+
     Renderer& renderer() { return *renderer_; }
     ContextKind contextKind() const { return context_->kind(); }
     uint32_t threads() const { return jobs_->concurrency(); }

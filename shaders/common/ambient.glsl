@@ -48,7 +48,11 @@ vec3 ambientLight(LitSurface s) {
     gatherReflectionProbes(s);
 #endif
     EnvironmentWeights w = ambientWeights(s);
-    return w.diffuse * ambientIrradiance(s, s.bent) * diffuseVisibility(s) + ambientSpecular(s, w);
+    vec3 light = w.diffuse * ambientIrradiance(s, s.bent) * diffuseVisibility(s);
+#if !defined(NO_AMBIENT_REFLECTIONS)
+    light += ambientSpecular(s, w);
+#endif
+    return light;
 }
 #else
 vec3 ambientLight(LitSurface s) { return vec3(0.0); }

@@ -72,6 +72,22 @@ RL_INLINE vec3 decodeSrgb(vec3 c) {
     return vec3(decodeSrgb(c.x), decodeSrgb(c.y), decodeSrgb(c.z));
 }
 
+/// Interleaved gradient noise (Jimenez 2014), uniform in [0, 1), made triangular in (-1, 1): rounding then adds noise of
+/// constant strength. A function of the pixel alone: the same picture every time.
+RL_INLINE float ditherNoise(vec2 pixel) {
+    float uniformNoise = fract(52.9829189f * fract(dot(pixel, vec2(0.06711056f, 0.00583715f))));
+    float centred = uniformNoise * 2.0f - 1.0f;
+    float size = 1.0f - sqrt(1.0f - abs(centred));
+    return centred < 0.0f ? -size : size;
+}
+
+/// A colour to be rounded to 8 bits, at a pixel's centre. Never off the ends: black stays black, white white.
+RL_INLINE vec3 dithered(vec3 encoded, vec2 pixel) {
+    vec3 room = min(encoded, vec3(1.0f) - encoded) * 255.0f;
+    vec3 noise = vec3(ditherNoise(pixel));
+    return encoded + clamp(noise, -room, room) * (1.0f / 255.0f);
+}
+
 /// Rec.709 luminance of a linear colour.
 RL_INLINE float luminance(vec3 c) { return dot(c, vec3(0.2126f, 0.7152f, 0.0722f)); }
 

@@ -26,16 +26,6 @@ vec3 toneMap(vec3 c) {
 #endif
 }
 
-#if defined(DITHER)
-// Interleaved gradient noise (Jimenez 2014), uniform in [0, 1), made triangular in (-1, 1): rounding then adds noise of
-// constant strength. A function of the pixel alone: the same picture every time.
-float ditherNoise(vec2 pixel) {
-    float uniformNoise = fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
-    float centred = uniformNoise * 2.0 - 1.0;
-    return sign(centred) * (1.0 - sqrt(1.0 - abs(centred)));
-}
-#endif
-
 void main() {
     vec4 radiance = textureLod(scene, uv, 0.0);
     vec3 color = radiance.rgb;
@@ -56,9 +46,7 @@ void main() {
 #endif
     vec3 encoded = encodeSrgb(toneMap(max(color * exposure, 0.0)));
 #if defined(DITHER)
-    // Never off the ends: black stays black, white white.
-    vec3 room = min(encoded, 1.0 - encoded) * 255.0;
-    encoded += clamp(vec3(ditherNoise(gl_FragCoord.xy)), -room, room) * (1.0 / 255.0);
+    encoded = dithered(encoded, gl_FragCoord.xy);
 #endif
 #if defined(LUMA_IN_ALPHA)
     alpha = dot(encoded, vec3(0.299, 0.587, 0.114));

@@ -32,7 +32,8 @@ void expectError(const std::string& arguments, int code) {
 }
 
 TEST(Cli, HelpWorksForEverySubcommand) {
-    for (const char* command : {"", "bake ", "capture ", "compare ", "bench ", "info ", "doctor ", "replay "}) {
+    for (const char* command : {"", "bake ", "capture ", "compare ", "bench ", "info ", "diagnose ",
+                                "doctor ", "explain ", "replay "}) {
         const Ended result = run(std::string(command) + "--help");
         EXPECT_EQ(result.code, 0) << command;
         EXPECT_EQ(result.errors, "");
@@ -54,6 +55,9 @@ TEST(Cli, WrongUseIsTwo) {
           "capture a.glb -o a --pass all --save-frame f.rlf", "replay", "replay a.rlf",
           "replay a.rlf -o a.bmp", "replay a.rlf -o a.png --until 0", "replay a.rlf --until 3",
           "replay --diff a.rlf", "replay a.rlf --diff b.rlf c.rlf", "replay a.rlf -o a.png --size 5x5",
+          "diagnose", "diagnose a.glb --stats s.json", "explain a.glb", "explain a.glb 5", "explain a.glb 5,",
+          "explain a.glb 5,6,7", "explain a.glb -1,5", "explain a.glb 5.5,1", "explain a.glb 1280,0",
+          "explain a.glb 0,32 --size 64x32", "explain a.glb 0,0 --stats s.json",
           "compare a.png b.png --flip nan", "compare a.png b.png --pixels-per-degree nan"})
         expectError(arguments, 2);
 }
@@ -62,6 +66,8 @@ TEST(Cli, BadInputIsThree) {
     expectError("info /nowhere/a.glb", 3);
     expectError("capture /nowhere/a.glb -o /nowhere/a.png", 3);
     expectError("compare /nowhere/a.png /nowhere/b.png", 3);
+    expectError("diagnose /nowhere/a.glb", 3);
+    expectError("explain /nowhere/a.glb 1,2", 3);
     expectError("replay /nowhere/a.rlf -o /nowhere/a.png", 3);
     expectError("replay /dev --list", 3);
     expectError("replay " RUSHLIGHT_TOOL " --list", 3);
