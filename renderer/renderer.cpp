@@ -347,6 +347,15 @@ bool Renderer::takeCapture(CaptureTicket ticket, bool wait, CapturedImage& image
 
 const FrameReport& Renderer::report() const { return state_->frames->report(); }
 std::string Renderer::printCommands() const { return print(state_->frames->commands()); }
+std::string Renderer::printLabelledCommands() const {
+    const Use use(*state_);
+    if (!use.goodOrLogged()) return {};
+    std::string text;
+    const auto print = [&] { text = printNumbered(state_->frames->commands(), *state_->device); };
+    state_->device->runInOrder([](void* f) { (*static_cast<decltype(print)*>(f))(); },
+                               const_cast<void*>(static_cast<const void*>(&print)));
+    return text;
+}
 Result<uint32_t> Renderer::reloadShaders() {
     const Use use(*state_);
     if (!use) return use.error();
