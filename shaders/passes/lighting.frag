@@ -3,6 +3,9 @@
 
 layout(binding = RL_TEXTURE_DEPTH) uniform sampler2D depthMap;
 
+#if defined(AMBIENT_OCCLUSION)
+#include "interop/occlusion_arc.h"  // before ambient light includes it: the image may be looked at where there is none
+#endif
 #include "common/lighting.glsl"
 #if defined(LIGHTING_PART)
 #include "common/lighting_parts.glsl"
