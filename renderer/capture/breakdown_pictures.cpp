@@ -126,7 +126,7 @@ void fillPicture(BreakdownPicture& picture, PassImage& image, const PictureRules
     if (image.format == Format::depth32f || image.format == Format::r32f) {
         std::vector<float> values = scalars(image);
         picture.exact = true;
-        if (name == "depth" || name == "pyramid-base-depth")
+        if (name == "depth" || (name.starts_with("pyramid") && name.ends_with("depth")))
             fillDistance(picture, std::move(values), rules);
         else
             fillValues(picture, std::move(values), name.starts_with("shadow-atlas"));

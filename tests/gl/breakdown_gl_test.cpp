@@ -135,7 +135,8 @@ TEST_F(BreakdownGlTest, LookingIntoAFrameChangesNoCounter) {
     RandomScene scene(*renderer, 2);
     FrameInput frame = scene.frame(0);
     frame.settings.shadowCaching = false;
-    for (int i = 0; i < 4; ++i) show(frame, ShownImage::frame, CaptureKind::display);
+    for (int i = 0; i < 8; ++i)  // timers are made one frame after the other
+        show(frame, ShownImage::frame, CaptureKind::display);
     const FrameReport plain = renderer->report();
     show(frame, ShownImage::frame, CaptureKind::display, {.hashPasses = true, .keepImages = true});
     const FrameReport looked = renderer->report();

@@ -308,7 +308,8 @@ void GlDevice::execute(const CommandBuffer& commands, const ExecuteOptions& opti
     report.stateChanges = state_.changes() - executor.looking().changes;
     report.uploadedBytes = commands.data().size();
     report.waits = ring_.waits();
-    report.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    report.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count() -
+                   executor.looking().ms;
 }
 
 }  // namespace

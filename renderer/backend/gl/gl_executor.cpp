@@ -28,7 +28,6 @@ void GlExecutor::operator()(const BeginPass& command) {
     RL_CHECK(!pass_, "a pass begins inside of another");
     pass_ = &command;
     passBegan_ = counted();
-    passStart_ = std::chrono::steady_clock::now();
     if (report_.passes.size() <= command.passIndex) report_.passes.resize(command.passIndex + 1);
     if (options_.debugGroups)
         gl_.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, command.passIndex,
@@ -84,14 +83,17 @@ void GlExecutor::operator()(const EndPass& command) {
     if (options_.timers) parts_.timers.endPass(command.passIndex);
     if (options_.debugGroups) gl_.PopDebugGroup();
     result.gpuMs = options_.timers ? parts_.timers.milliseconds(command.passIndex) : 0;
-    result.cpuMs = std::chrono::duration<double, std::milli>(
-                       std::chrono::steady_clock::now() - passStart_).count();
     const Count ended = counted();
+    result.cpuMs = ended.ms - passBegan_.ms;
     result.glCalls = ended.calls - passBegan_.calls;
     result.stateChanges = ended.changes - passBegan_.changes;
-    if (options_.hashAttachments || options_.keepAttachments) lookInto(*pass_, result);
-    looking_.calls += gl_.calls - ended.calls;
-    looking_.changes += state_.changes() - ended.changes;
+    if (options_.hashAttachments || options_.keepAttachments) {
+        lookInto(*pass_, result);
+        const Count looked = counted();
+        looking_.calls += looked.calls - ended.calls;
+        looking_.changes += looked.changes - ended.changes;
+        looking_.ms += looked.ms - ended.ms;
+    }
     pass_ = nullptr;
     pipeline_ = nullptr;
 }

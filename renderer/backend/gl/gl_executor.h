@@ -43,6 +43,7 @@ public:
 
     struct Count {
         uint32_t calls = 0, changes = 0;
+        double ms = 0;
     };
     /// What was done to look into passes, and is no part of the frame.
     const Count& looking() const { return looking_; }
@@ -71,7 +72,11 @@ private:
     Source resolve(const BufferRange& range) const;
     void load(const BeginPass& pass, GLuint framebuffer);
     void clearColor(GLuint framebuffer, uint32_t slot, const ColorAttachment& color);
-    Count counted() const { return {gl_.calls, state_.changes()}; }
+    Count counted() const { return {gl_.calls, state_.changes(), millisecondsSince(frameStart_)}; }
+    static double millisecondsSince(std::chrono::steady_clock::time_point start) {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+            .count();
+    }
     void lookInto(const BeginPass& pass, PassExecution& result);
     void look(PassExecution& result, ReadbackImage image) const;
     GLenum prepareDraw();
@@ -87,7 +92,7 @@ private:
     const GlPipeline* pipeline_ = nullptr;
     GlVertexArrays::Streams streams_{};
     Source indices_;
-    std::chrono::steady_clock::time_point passStart_;
+    const std::chrono::steady_clock::time_point frameStart_ = std::chrono::steady_clock::now();
     Count passBegan_, looking_;
 };
 

@@ -73,7 +73,9 @@ function graph() {
   const {images, count} = lanesOf(passes), right = first + count * gap + 12;
   const y = (row) => top + row * height, x = (image) => first + image.lane * gap;
   const hue = (image) => `hsl(${(images.indexOf(image) * 137.5) % 360} 62% 52%)`;
-  const svg = make("svg:svg", {width: right + 470, height: y(passes.length), role: "img", "aria-label": "Passes and the images between them"});
+  const writes = (pass) => (pass.images || []).map((image) => image.name + " " + String(image.format).toUpperCase()).join(",  ");
+  const longest = Math.max(...passes.map((pass) => writes(pass).length));
+  const svg = make("svg:svg", {width: right + longest * 7.4, height: y(passes.length), role: "img", "aria-label": "Passes and the images between them"});
   const focus = (names) => {
     const box = document.getElementById("graph");
     box.classList.toggle("focus", names !== null);
@@ -98,9 +100,7 @@ function graph() {
     const group = make("svg:g", {class: "row"}, link);
     group.addEventListener("mouseenter", () => focus(new Set([...(pass.reads || []), ...(pass.writes || [])])));
     group.addEventListener("mouseleave", () => focus(null));
-    let written = "";
-    for (const image of pass.images || []) written += (written ? ",  " : "") + image.name + " " + String(image.format).toUpperCase();
-    group.append(make("svg:text", {x: right, y: y(row) + 4, class: "soft"}, written));
+    group.append(make("svg:text", {x: right, y: y(row) + 4, class: "soft"}, writes(pass)));
     svg.append(group);
   });
   return svg;
@@ -124,14 +124,15 @@ function commandsOf(index) {
 }
 function costs(pass) {
   const item = (value, name) => make("li", {}, make("b", {}, value), " " + name);
-  return make("ul", {class: "costs"}, item(number(pass.draws), "draws"), item(number(pass.triangles), "triangles"),
-    item(number(pass.gl_calls), "GL calls"), item(number(pass.state_changes), "state changes"), item(time(pass.cpu_ms), "ms CPU"),
+  const counted = (value, name) => item(number(value), value === 1 ? name : name + "s");
+  return make("ul", {class: "costs"}, counted(pass.draws, "draw"), counted(pass.triangles, "triangle"),
+    counted(pass.gl_calls, "GL call"), counted(pass.state_changes, "state change"), item(time(pass.cpu_ms), "ms CPU"),
     item(time(pass.gpu_ms), "ms GPU"), item(pass.bytes_per_pixel, "bytes a pixel"));
 }
 function passCard(pass, index) {
   const pictures = frame.breakdown.pictures.filter((p) => p.pass === index);
   const lines = commandsOf(index);
-  return make("article", {class: "card", id: anchor(index)},
+  return make("article", {class: pictures.length > 1 ? "card wide" : "card", id: anchor(index)},
     make("header", {}, make("h3", {}, pass.name), make("span", {class: "order"}, "pass " + (index + 1) + " of " + frame.passes.length)),
     costs(pass),
     make("p", {class: "flows"}, "Reads " + ((pass.reads || []).join(", ") || "nothing of this frame") + ". Writes " + ((pass.writes || []).join(", ") || "nothing") + "."),
@@ -150,10 +151,8 @@ function chapters() {
     const section = addSection(id, title, text);
     if (id === "culling") culling(section);
     if (views.length) section.element.append(make("div", {class: views.length < 3 ? "figures two" : "figures"}, views.map((p) => figure(frame, p))));
-    for (const {pass, index} of passes) {
-      section.passes.push(index);
-      section.element.append(passCard(pass, index));
-    }
+    section.passes.push(...passes.map((p) => p.index));
+    section.element.append(make("div", {class: "cards"}, passes.map((p) => passCard(p.pass, p.index))));
   }
 }
 
