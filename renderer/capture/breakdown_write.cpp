@@ -120,7 +120,8 @@ Result<std::vector<std::string>> olderPictures(const std::string& folder) {
     std::vector<std::string> files;
     if (fs::exists(folder + "/frame.json", ignored)) {
         if (const auto older = loadBreakdown(folder + "/frame.json")) {
-            for (const auto& picture : ordered_json::parse(older->json)["breakdown"]["pictures"])
+            const ordered_json json = ordered_json::parse(older->json);
+            for (const auto& picture : json["breakdown"]["pictures"])
                 files.push_back(picture["file"].get<std::string>());
             return files;
         }

@@ -100,19 +100,23 @@ function factsOf(whole, picture) {
   return image.width + "×" + image.height + " · " + String(image.format).toUpperCase() + " · " + image.bytes_per_pixel +
     " bytes a pixel";
 }
+// Drawn once, as broken data shows only then. Not decode(): a browser whose clock runs ahead does not wait for that.
+const probe = make("canvas", {width: 1, height: 1}).getContext("2d");
+const loaded = (source) => new Promise((done, failed) => {
+  const image = new Image();
+  image.onload = () => { probe.drawImage(image, 0, 0, 1, 1); done(image); };
+  image.onerror = () => failed("it does not load");
+  image.src = source;
+});
 function figure(whole, picture, label) {
-  const source = new Image();  // as stored: what is read out
-  source.src = sourceOf(whole, picture);
-  const image = make("img", {alt: picture.title, src: source.src});
-  const ready = source.decode().then(() => {
+  const image = make("img", {alt: picture.title, src: sourceOf(whole, picture)});
+  const ready = loaded(image.src).then((source) => {
+    entry.source = source;  // as stored: what is read out
     if (source.naturalWidth < 64) image.className = "tiny";
-    if (picture.readout === "distance") {
-      image.src = inFalseColor(source).toDataURL();
-      return image.decode();
-    }
+    if (picture.readout === "distance") image.src = inFalseColor(source).toDataURL();
   });
   waiting.push(ready.catch(() => note("the picture " + picture.name + " does not decode")));
-  const entry = {picture, source, image, facts: factsOf(whole, picture)};
+  const entry = {picture, source: image, image, facts: factsOf(whole, picture)};
   shown.push(entry);
   const button = make("button", {type: "button", "aria-label": "Enlarge " + picture.title}, image);
   button.addEventListener("click", () => openViewer(entry));

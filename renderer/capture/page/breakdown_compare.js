@@ -20,7 +20,7 @@ function differencePicture(a, b, title) {
   const image = make("img", {alt: title}), picture = {title, name: title, readout: "color", note: "Eight times the difference."};
   const entry = {picture, source: image, image, facts: ""};
   const caption = make("figcaption", {}, make("b", {}, "Difference"), " ");
-  const load = (whole, p) => { const i = new Image(); i.src = sourceOf(whole, p); return i.decode().then(() => pixelsOf(i)); };
+  const load = (whole, p) => loaded(sourceOf(whole, p)).then(pixelsOf);
   waiting.push(Promise.all([load(frame, a), load(other, b)]).then(([one, two]) => {
     if (one.canvas.width !== two.canvas.width || one.canvas.height !== two.canvas.height) {
       caption.append("Not of one size.");
@@ -37,7 +37,6 @@ function differencePicture(a, b, title) {
       caption.append(make("span", {}, (400 * differing / p.length).toFixed(2) + " % of the pixels, eight times enlarged"));
     }
     image.src = one.canvas.toDataURL();
-    return image.decode();
   }).catch(() => note("the difference of " + title + " cannot be shown")));
   shown.push(entry);
   const button = make("button", {type: "button", "aria-label": "Enlarge the difference of " + title}, image);
