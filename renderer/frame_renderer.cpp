@@ -56,6 +56,7 @@ FrameRenderer::FrameRenderer(Device& device, JobSystem& jobs, LogSink log,
       fxaaPass_(device),
       debugViewPass_(device),
       boundsPass_(device),
+      overdrawPass_(device),
       overlayPass_(device),
       shadowSampler_(nearestClampSampler(device)),
       cubeSampler_(clampingSampler(device, true)),
@@ -97,6 +98,7 @@ Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& o
     ExecuteOptions execute;
     execute.target = output.target;
     execute.hashAttachments = options.hashPasses;
+    execute.keepAttachments = options.keepImages;
     execute.timers = options.timers;
     execute.toHost = !output.offscreen;
     SubmittedFrame& frame = submitted_.add(commands_);
@@ -201,6 +203,10 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
 
     if (auto ok = addShadowPasses(input, *lighting); !ok) return ok;
 
+    const ShownImage show = input.settings.show;
+    if (show == ShownImage::overdraw && !output.hdr)
+        return planOverdraw(input, planTarget(output), camera, viewUniforms);
+
     auto gbuffer = gbufferPass_.add(
         plan_, {&lists_.opaque, binder, viewUniforms, width, height, decalBindings});
     if (!gbuffer) return tl::unexpected(gbuffer.error());
@@ -219,42 +225,25 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
     LightingPass::Inputs lightingInputs{*gbuffer,   *lighting, *ambient, local.tint,
                                               local.flow, sky,       width,    height};
     lightingInputs.contactShadows = contactShadows(input);
+    lightingInputs.part = lightingPartOf(show);
     const auto lit = lightingPass_.add(plan_, lightingInputs);
     if (!lit) return tl::unexpected(lit.error());
-    const ShownImage show = input.settings.show;
-    const auto mirrored = planReflections(input, camera, lightingInputs, lit->radiance);
-    if (!mirrored) return tl::unexpected(mirrored.error());
-
-    auto fog = planFog(input, *lighting, lit->radiance, gbuffer->depth);
-    if (!fog) return tl::unexpected(fog.error());
-
-    ForwardPass::Inputs forwardInputs{&lists_.blended, &lists_.movingEmission, binder, viewUniforms,
-                                      *lighting, lit->radiance, gbuffer->depth, decalBindings,
-                                      *fog};
-    auto forward = forwardPass_.add(plan_, forwardInputs);
-    if (!forward) return tl::unexpected(forward.error());
-
+    const auto radiance = planOverLighting(input, camera, lightingInputs, lit->radiance,
+                                           viewUniforms, decalBindings);
+    if (!radiance) return tl::unexpected(radiance.error());
     if (output.hdr) {
         const auto captured =
-            planLinearCapture(input, output, forward->radiance, gbuffer->depth);
+            planLinearCapture(input, output, *radiance, gbuffer->depth);
         if (!captured) return tl::unexpected(captured.error());
         capturedImage_ = *captured;
         plan_.requestImage(capturedImage_);
         return {};
     }
-    FinalTarget target{{}, width, height, output.target.topRowFirst};
-    if (output.offscreen) {
-        target.image = plan_.createImage({"frame", Format::rgba8, width, height});
-        capturedImage_ = target.image;
-        plan_.requestImage(capturedImage_);
-    }
+    const FinalTarget target = planTarget(output);
     Result<void> planned =
         DebugViewPass::shows(show)
             ? planDebugView(input, target, camera, *gbuffer, *lighting, *ambient)
-            : planDisplay(input, target,
-                          show == ShownImage::lighting      ? lit->radiance
-                          : show == ShownImage::reflections ? *mirrored
-                                                            : forward->radiance);
+            : planDisplay(input, target, *radiance);
     if (!planned) return planned;
     if (show == ShownImage::bounds) {
         planned = boundsPass_.add(plan_, {{&lists_.opaque, &lists_.blended}, &frameWorlds_,

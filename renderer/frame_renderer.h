@@ -26,6 +26,7 @@
 #include "renderer/passes/gtao_pass.h"
 #include "renderer/passes/irradiance_pass.h"
 #include "renderer/passes/lighting_pass.h"
+#include "renderer/passes/overdraw_pass.h"
 #include "renderer/passes/overlay_pass.h"
 #include "renderer/passes/shadow_atlas_pass.h"
 #include "renderer/passes/shadow_glass_pass.h"
@@ -107,6 +108,13 @@ private:
     /// The image that an HDR capture reads back.
     Result<ImageId> planLinearCapture(const FrameInput&, const FrameOutput&, ImageId radiance,
                                       ImageId depth);
+    /// What follows the deferred lighting, up to the radiance that is displayed.
+    Result<ImageId> planOverLighting(const FrameInput&, const CameraMatrices&,
+                                     const LightingPass::Inputs&, ImageId radiance,
+                                     BufferRange viewUniforms, const DecalBindings&);
+    Result<void> planOverdraw(const FrameInput&, const FinalTarget&, const CameraMatrices&,
+                              BufferRange viewUniforms);
+    FinalTarget planTarget(const FrameOutput&);
     /// From linear radiance to the final target.
     Result<void> planDisplay(const FrameInput&, const FinalTarget&, ImageId radiance);
     Result<void> planDebugView(const FrameInput&, const FinalTarget&, const CameraMatrices&,
@@ -148,6 +156,7 @@ private:
     FxaaPass fxaaPass_;
     DebugViewPass debugViewPass_;
     BoundsPass boundsPass_;
+    OverdrawPass overdrawPass_;
     OverlayPass overlayPass_;
     SamplerHandle shadowSampler_, cubeSampler_, linearSampler_, decalSampler_;
 

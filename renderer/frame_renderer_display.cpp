@@ -17,9 +17,42 @@ Result<ImageId> FrameRenderer::planLinearCapture(const FrameInput& input,
     return bloom->bloom;
 }
 
+FinalTarget FrameRenderer::planTarget(const FrameOutput& output) {
+    const uint32_t width = output.target.width, height = output.target.height;
+    FinalTarget target{{}, width, height, output.target.topRowFirst};
+    if (output.offscreen) {
+        target.image = plan_.createImage({"frame", Format::rgba8, width, height});
+        capturedImage_ = target.image;
+        plan_.requestImage(capturedImage_);
+    }
+    return target;
+}
+
+Result<void> FrameRenderer::planOverdraw(const FrameInput& input, const FinalTarget& target,
+                                         const CameraMatrices& camera, BufferRange viewUniforms) {
+    const auto made = overdrawPass_.add(
+        plan_, {&lists_.opaque, {&geometry, &materials}, viewUniforms, target.width, target.height});
+    if (!made) return tl::unexpected(made.error());
+    DebugViewPass::Inputs in;
+    in.show = ShownImage::overdraw;
+    in.overdraw = made->count;
+    in.orthographic = !camera.perspective;
+    in.target = target;
+    in.data = &commands_;
+    if (auto ok = debugViewPass_.add(plan_, in); !ok) return ok;
+    return overlayPass_.add(
+        plan_, {&input.overlay, textures.find(input.overlay.image), target, &commands_});
+}
+
 Result<void> FrameRenderer::planDisplay(const FrameInput& input, const FinalTarget& target,
                                         ImageId radiance) {
-    const FrameSettings& settings = input.settings;
+    FrameSettings settings = input.settings;
+    if (lightingPartOf(settings.show) != LightingPart::all) settings.bloom = false;
+    if (settings.show == ShownImage::ambientShare) {  // a factor, no light
+        settings.toneMap = ToneMap::none;
+        settings.autoExposure = settings.useExposureValue = false;
+        settings.exposureScale = 1;
+    }
     const bool transparent = input.lighting.background == Background::transparent;
     const bool fxaa = settings.antiAliasing == AntiAliasing::fxaa &&
                       settings.show != ShownImage::tonemap;

@@ -19,6 +19,12 @@ void resizeKeepingMemory(std::vector<PassReport>& reports, std::vector<PassRepor
     }
 }
 
+// They are large and rare: where a frame has none, none are kept.
+void takeTexels(const ReadbackImage* image, std::vector<std::byte>& texels) {
+    if (image) texels = image->bytes;
+    else std::vector<std::byte>().swap(texels);
+}
+
 }  // namespace
 
 void FrameRenderer::fillReport(const FrameInput& input) {
@@ -88,7 +94,11 @@ void FrameRenderer::describePasses(SubmittedFrame& frame) const {
         pass.reads.clear();
         pass.writes.clear();
         plan_.forEachRead(i, [&](const char* name) { pass.reads.push_back(name); });
-        plan_.forEachWrite(i, [&](const char* name) { pass.writes.push_back(name); });
+        pass.images.clear();
+        plan_.forEachWrite(i, [&](const PassImage& image) {
+            pass.writes.push_back(image.name);
+            pass.images.push_back(image);
+        });
     }
 }
 
@@ -117,9 +127,14 @@ const FrameReport& FrameRenderer::report() {
         pass = frame->passes[i];
         pass.draws = done.draws;
         pass.triangles = done.triangles;
+        pass.glCalls = done.glCalls;
+        pass.stateChanges = done.stateChanges;
         pass.cpuMs = done.cpuMs;
         pass.gpuMs = done.gpuMs;
         pass.hashes.assign(done.attachmentHashes.begin(), done.attachmentHashes.end());
+        for (size_t k = 0; k < pass.images.size(); ++k)
+            takeTexels(k < done.attachments.size() ? &done.attachments[k] : nullptr,
+                       pass.images[k].texels);
         r.draws += done.draws;
         r.triangles += done.triangles;
         r.gpuMs += done.gpuMs;

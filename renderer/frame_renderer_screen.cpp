@@ -1,4 +1,4 @@
-// What is found in the image of the scene itself: ambient occlusion and reflections.
+// What is found in the image of the scene itself, and what is laid over it: ambient occlusion, reflections, fog, forward.
 #include "renderer/frame_renderer.h"
 #include "renderer/passes/screen_uniforms.h"
 
@@ -36,7 +36,7 @@ Result<ImageId> FrameRenderer::planReflections(const FrameInput& input,
     const ShownImage show = input.settings.show;
     const bool alone = show == ShownImage::reflections;
     const bool mirrors = input.settings.reflections && input.settings.ambientReflections;
-    if (!alone && (!mirrors || show == ShownImage::lighting)) return radiance;
+    if (!alone && !mirrors) return radiance;
     const interop::ScreenUniforms screen = makeScreenUniforms(camera, lit.width, lit.height);
     const auto pyramid = pyramidPass_.add(
         plan_, {radiance, lit.gbuffer.depth, screen, &commands_, lit.width, lit.height});
@@ -46,6 +46,24 @@ Result<ImageId> FrameRenderer::planReflections(const FrameInput& input,
                 screen, radiance, alone, &commands_, lit.width, lit.height});
     if (!made) return tl::unexpected(made.error());
     return made->radiance;
+}
+
+Result<ImageId> FrameRenderer::planOverLighting(const FrameInput& input,
+                                                const CameraMatrices& camera,
+                                                const LightingPass::Inputs& lit, ImageId radiance,
+                                                BufferRange viewUniforms,
+                                                const DecalBindings& onSurfaces) {
+    const ShownImage show = input.settings.show;
+    if (show == ShownImage::lighting || lit.part != LightingPart::all) return radiance;
+    const auto mirrored = planReflections(input, camera, lit, radiance);
+    if (!mirrored || show == ShownImage::reflections) return mirrored;
+    const auto fog = planFog(input, lit.lighting, radiance, lit.gbuffer.depth);
+    if (!fog) return tl::unexpected(fog.error());
+    ForwardPass::Inputs in{&lists_.blended, &lists_.movingEmission, {&geometry, &materials},
+                           viewUniforms, lit.lighting, radiance, lit.gbuffer.depth, onSurfaces, *fog};
+    const auto forward = forwardPass_.add(plan_, in);
+    if (!forward) return tl::unexpected(forward.error());
+    return forward->radiance;
 }
 
 }  // namespace rushlight

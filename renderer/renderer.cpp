@@ -367,6 +367,15 @@ std::optional<MaterialDesc> Renderer::describeMaterial(MaterialHandle material) 
     return desc ? std::optional(*desc) : std::nullopt;
 }
 std::string Renderer::printCommands() const { return print(state_->frames->commands()); }
+std::string Renderer::printLabelledCommands() const {
+    const Use use(*state_);
+    if (!use.goodOrLogged()) return {};
+    std::string text;
+    const auto print = [&] { text = printNumbered(state_->frames->commands(), *state_->device); };
+    state_->device->runInOrder([](void* f) { (*static_cast<decltype(print)*>(f))(); },
+                               const_cast<void*>(static_cast<const void*>(&print)));
+    return text;
+}
 Result<uint32_t> Renderer::reloadShaders() {
     const Use use(*state_);
     if (!use) return use.error();

@@ -45,6 +45,7 @@ struct RendererDesc {
 
 struct FrameOptions {
     bool hashPasses = false;  ///< fill PassReport::hashes; slow
+    bool keepImages = false;  ///< fill PassImage::texels of the report; slow
     bool timers = true;       ///< GPU timer queries around each pass
     /// Gets the frame as an RLF file (renderer/commands/frame_file.h) before it is executed; slow.
     std::vector<std::byte>* savedFrame = nullptr;
@@ -154,6 +155,8 @@ public:
 
     /// The commands of the last frame as text.
     std::string printCommands() const;
+    /// The same with the commands' numbers from 1 and the labels of what they use.
+    std::string printLabelledCommands() const;
 
     /// Loads changed shaders. An Error holds the messages; the last good programs stay in use.
     Result<uint32_t> reloadShaders();

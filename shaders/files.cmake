@@ -20,6 +20,7 @@ set(RUSHLIGHT_SHADER_FILES
   common/light_patterns.glsl
   common/lighting.glsl
   common/lighting_block.glsl
+  common/lighting_parts.glsl
   common/lighting_varyings.glsl
   common/lit_surface.glsl
   common/local_light.glsl
@@ -73,6 +74,7 @@ set(RUSHLIGHT_SHADER_FILES
   passes/lighting.frag
   passes/lighting.vert
   passes/luminance.frag
+  passes/overdraw.frag
   passes/overlay.frag
   passes/overlay.vert
   passes/shadow_glass.frag

@@ -14,18 +14,29 @@
 
 namespace rushlight {
 
-/// What one pass cost. Times are milliseconds.
+/// A texture's texels, rows from v = 0, tightly packed in `format`.
+struct ReadbackImage {
+    Format format = Format::none;
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<std::byte> bytes;
+};
+
+/// What one pass cost. Times are milliseconds. What it takes to look into a pass is no part of it.
 struct PassExecution {
     uint32_t draws = 0;      ///< draws as the GPU sees them: each entry of a multi-draw counts
     uint64_t triangles = 0;
+    uint32_t glCalls = 0;
+    uint32_t stateChanges = 0;
     double cpuMs = 0;  ///< of submitting it
     double gpuMs = 0;  ///< from timer queries of the latest frame that is finished; 0 with no GPU
     std::vector<uint64_t> attachmentHashes;  ///< when ExecuteOptions::hashAttachments: colours in order, then depth
+    std::vector<ReadbackImage> attachments;  ///< when ExecuteOptions::keepAttachments, in the same order
 };
 
 struct ExecutionReport {
     std::vector<PassExecution> passes;  ///< by BeginPass::passIndex
-    uint32_t glCalls = 0;        ///< every call into the API, uploads of the data block included
+    uint32_t glCalls = 0;        ///< every call into the API, uploads of the data block included; more than all passes'
     uint32_t stateChanges = 0;   ///< calls that bind or set state, after redundant ones are dropped
     uint64_t uploadedBytes = 0;
     uint32_t waits = 0;          ///< times the CPU waited for the GPU to be done with a frame's memory
@@ -37,17 +48,10 @@ struct ExecutionReport {
 struct ExecuteOptions {
     FrameTarget target;
     bool hashAttachments = false;  ///< slow: reads every pass's attachments back
+    bool keepAttachments = false;  ///< as slow
     bool timers = true;
     bool debugGroups = true;
     bool toHost = true;  ///< draws into the host's framebuffer, which shows it next
-};
-
-/// A texture's texels, rows from v = 0, tightly packed in `format`.
-struct ReadbackImage {
-    Format format = Format::none;
-    uint32_t width = 0;
-    uint32_t height = 0;
-    std::vector<std::byte> bytes;
 };
 
 /// Its descriptions are those that the objects were made from; a texture's and a buffer's contents are read back.

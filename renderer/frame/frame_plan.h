@@ -8,6 +8,7 @@
 #include "engine/core/result.h"
 #include "renderer/backend/device.h"
 #include "renderer/commands/command_buffer.h"
+#include "renderer/frame/frame_report.h"
 
 #include <cstdint>
 #include <span>
@@ -120,14 +121,19 @@ public:
         const Pass& pass = passes_[kept_[kept]];
         for (uint32_t i = 0; i < pass.readCount; ++i) f(images_[pass.reads[i].value].desc.name);
     }
+    /// `f(PassImage)`, without texels.
     template <class F>
     void forEachWrite(uint32_t kept, F&& f) const {
         const Pass& pass = passes_[kept_[kept]];
+        const auto written = [&](ImageId id, uint32_t layer) {
+            const PlanImage& image = images_[id.value].desc;
+            f(PassImage{image.name, image.format, image.width, image.height, layer, {}});
+        };
         for (uint32_t i = 0; i < pass.colorCount; ++i)
-            f(images_[pass.colors[i].image.value].desc.name);
-        if (pass.depth.image && !pass.depth.readOnly)
-            f(images_[pass.depth.image.value].desc.name);
-        if (pass.toFrameTarget) f("frame-target");
+            written(pass.colors[i].image, pass.colors[i].layer);
+        if (pass.depth.image && !pass.depth.readOnly) written(pass.depth.image, pass.depth.layer);
+        if (pass.toFrameTarget)
+            f(PassImage{"frame-target", Format::rgba8, pass.frameWidth, pass.frameHeight, 0, {}});
     }
 
 private:

@@ -1,20 +1,38 @@
 #pragma once
 
+#include "renderer/commands/resources.h"
+
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace rushlight {
 
+/// An image that a pass wrote.
+struct PassImage {
+    const char* name = "";
+    Format format = Format::none;
+    uint32_t width = 0;
+    uint32_t height = 0;
+    uint32_t layer = 0;
+    /// With FrameOptions::keepImages: what it held after the pass, tightly packed rows from v = 0 (the picture's
+    /// bottom).
+    std::vector<std::byte> texels;
+};
+
 /// What one pass did. `reads` and `writes` name images of the frame plan. Times in milliseconds.
 struct PassReport {
     const char* name = "";
     uint32_t draws = 0;
     uint64_t triangles = 0;
+    uint32_t glCalls = 0;
+    uint32_t stateChanges = 0;
     double cpuMs = 0;
     double gpuMs = 0;
     std::vector<const char*> reads;
     std::vector<const char*> writes;
+    std::vector<PassImage> images;  ///< as `writes`
     uint32_t bytesPerPixel = 0;  ///< of everything it writes
     std::vector<uint64_t> hashes;  ///< as `writes`, when asked for
 };

@@ -28,10 +28,16 @@ enum class ShownImage : uint8_t {
     occlusion,
     velocity,
     depth,
+    overdraw,  ///< how often the G-buffer was written at a pixel
     shadow,    ///< the cascades side by side, and the atlas of point and spot lights
     clusters,  ///< lights per froxel as a heat map
     ambientOcclusion,  ///< of the screen: white where the ambient light is open
-    lighting,  ///< HDR after deferred lighting, before forward
+    untextured,    ///< HDR: deferred lighting as if all surfaces were white and not metallic
+    direct,        ///< HDR: what suns and lamps give, shadowed
+    ambient,       ///< HDR: what the surroundings would give if nothing hid them
+    ambientShare,  ///< the share of that which arrives, by channel
+    emission,      ///< HDR: what glows by itself: emissive and unlit surfaces, and the background
+    lighting,  ///< HDR after deferred lighting, before forward: direct + ambient * ambientShare + emission
     reflections,  ///< HDR: what surfaces mirror of the screen
     forward,   ///< HDR after forward
     bloom,

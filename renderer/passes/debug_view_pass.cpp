@@ -15,6 +15,7 @@ std::string_view defineOf(ShownImage show) {
         case ShownImage::occlusion: return "SHOW_OCCLUSION";
         case ShownImage::velocity: return "SHOW_VELOCITY";
         case ShownImage::depth: return "SHOW_DEPTH";
+        case ShownImage::overdraw: return "SHOW_OVERDRAW";
         case ShownImage::shadow: return "SHOW_SHADOW";
         case ShownImage::clusters: return "SHOW_CLUSTERS";
         case ShownImage::ambientOcclusion: return "SHOW_AMBIENT_OCCLUSION";
@@ -53,9 +54,11 @@ Result<void> DebugViewPass::add(FramePlan& plan, const Inputs& inputs) {
     const bool shadow = inputs.show == ShownImage::shadow;
     const bool clusters = inputs.show == ShownImage::clusters;
     const bool ambient = inputs.show == ShownImage::ambientOcclusion;
+    const bool overdraw = inputs.show == ShownImage::overdraw;
     const bool nothing = (shadow && !inputs.shadowMap && !inputs.shadowAtlas) ||
                          (clusters && !inputs.clusters.size) ||
-                         (ambient && !inputs.ambientOcclusion);
+                         (ambient && !inputs.ambientOcclusion) ||
+                         (overdraw && !inputs.overdraw);
     std::string_view defines[3];
     size_t count = 0;
     defines[count++] = nothing ? "SHOW_NOTHING" : defineOf(inputs.show);
@@ -72,6 +75,9 @@ Result<void> DebugViewPass::add(FramePlan& plan, const Inputs& inputs) {
         reads[1] = inputs.shadowAtlas ? inputs.shadowAtlas : inputs.shadowMap;
         payload.draw.textures[0] = {RL_TEXTURE_SOURCE0, reads[0], nearest_};
         payload.draw.textures[1] = {RL_TEXTURE_SOURCE1, reads[1], nearest_};
+    } else if (overdraw && !nothing) {
+        reads[0] = inputs.overdraw;
+        payload.draw.textures[0] = {RL_TEXTURE_SOURCE0, inputs.overdraw, nearest_};
     } else {
         const GBufferPass::Outputs& g = inputs.gbuffer;
         payload.draw.textures[0] = {RL_TEXTURE_GBUFFER0, g.target0, nearest_};

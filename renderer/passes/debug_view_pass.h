@@ -1,6 +1,6 @@
 #pragma once
 // An intermediate image as the picture: G-buffer channels, depth, velocity, shadow cascades, light clusters.
-// ShownImage::lighting, forward and bloom are colours: those go through TonemapPass.
+// ShownImage::untextured to bloom are radiance: those go through TonemapPass.
 
 #include "renderer/frame/final_target.h"
 #include "renderer/frame/frame_input.h"
@@ -15,9 +15,10 @@ public:
         ShownImage show = ShownImage::baseColor;
         GBufferPass::Outputs gbuffer;
         ImageId ambientOcclusion;  ///< null: shown as black
+        ImageId overdraw;   ///< OverdrawPass::Outputs; null: shown as black
         ImageId shadowMap;  ///< null: no shadows, shown as black
         uint32_t shadowCascades = 0;
-    ImageId shadowAtlas;  ///< null: none; else beside the cascades
+        ImageId shadowAtlas;  ///< null: none; else beside the cascades
         BufferRange clusters;             ///< LightingBindings::clusters; empty: no lights
         uint32_t clusterWords = 1;        ///< LightClusters::recordWords
         vec4 clusterMapping{0}, clusterCounts{0};  ///< as LightingUniforms

@@ -15,6 +15,18 @@ constexpr std::string_view kCascadeDefines[] = {"", "SHADOW_CASCADES 1", "SHADOW
 constexpr std::string_view kSunDefines[] = {"", "SHADOWED_SUNS 2", "SHADOWED_SUNS 3",
                                             "SHADOWED_SUNS 4"};
 
+// Indexed by LightingPart.
+constexpr std::string_view kPartDefines[] = {"",
+                                             "PART_UNTEXTURED",
+                                             "PART_DIRECT",
+                                             "PART_AMBIENT",
+                                             "PART_AMBIENT_SHARE",
+                                             "PART_EMISSION"};
+
+bool hasBackground(LightingPart part) {
+    return part == LightingPart::all || part == LightingPart::emission;
+}
+
 struct Payload {
     LitScreenBindings screen;
     PipelineHandle lightingPipeline, backgroundPipeline;
@@ -26,6 +38,7 @@ void record(const Payload& p, PassContext& context) {
     p.screen.record(context);
     commands.push(SetPipeline{p.lightingPipeline});
     commands.push(Draw{3, 1, 0});
+    if (!p.backgroundPipeline) return;
     if (lighting.sky)
         commands.push(BindTexture{RL_TEXTURE_SKY, lighting.sky, lighting.cubeSampler});
     commands.push(SetPipeline{p.backgroundPipeline});
@@ -33,6 +46,17 @@ void record(const Payload& p, PassContext& context) {
 }
 
 }  // namespace
+
+LightingPart lightingPartOf(ShownImage shown) {
+    switch (shown) {
+        case ShownImage::untextured: return LightingPart::untextured;
+        case ShownImage::direct: return LightingPart::direct;
+        case ShownImage::ambient: return LightingPart::ambient;
+        case ShownImage::ambientShare: return LightingPart::ambientShare;
+        case ShownImage::emission: return LightingPart::emission;
+        default: return LightingPart::all;
+    }
+}
 
 void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) const {
     defines.push_back(kDirectionalDefines[directionalLights]);
@@ -135,16 +159,20 @@ LightingPass::LightingPass(Device& device)
 // nothing is: rejected by depth, pixels cost nothing, while a branch in the shader would save nothing on llvmpipe.
 Result<LightingPass::Entry> LightingPass::find(const Inputs& inputs) {
     Entry entry{inputs.lighting.features, bool(inputs.ambientOcclusion), inputs.showSky,
-                inputs.contactShadows, {}, {}};
+                inputs.contactShadows, inputs.part, {}, {}};
     for (const Entry& known : entries_)
         if (known.features == entry.features && known.showSky == entry.showSky &&
             known.ambientOcclusion == entry.ambientOcclusion &&
-            known.contactShadows == entry.contactShadows)
+            known.contactShadows == entry.contactShadows && known.part == entry.part)
             return known;
     std::vector<std::string_view> defines;
     entry.features.appendDefines(defines);
     if (entry.ambientOcclusion) defines.push_back("AMBIENT_OCCLUSION");
     if (entry.contactShadows) defines.push_back("CONTACT_SHADOWS");
+    if (entry.part != LightingPart::all) {
+        defines.push_back("LIGHTING_PART");
+        defines.push_back(kPartDefines[size_t(entry.part)]);
+    }
     PipelineDesc desc;
     desc.label = "lighting";
     desc.vertexShader = "passes/lighting.vert";
@@ -174,7 +202,8 @@ Result<LightingPass::Outputs> LightingPass::add(FramePlan& plan, const Inputs& i
     Outputs out;
     out.radiance =
         plan.createImage({"radiance", Format::rgba16f, inputs.width, inputs.height});
-    const PassTargets::Color colors[] = {{out.radiance, LoadOp::discard}};
+    const PassTargets::Color colors[] = {
+        {out.radiance, hasBackground(inputs.part) ? LoadOp::discard : LoadOp::clear, {0, 0, 0, 1}}};
     const GBufferPass::Outputs& g = inputs.gbuffer;
     const ImageId reads[] = {g.target0,
                              g.target1,
@@ -195,7 +224,7 @@ Result<LightingPass::Outputs> LightingPass::add(FramePlan& plan, const Inputs& i
                           {{g, inputs.lighting, inputs.ambientOcclusion, inputs.localTint,
                             inputs.localFlow, nearest_},
                            entry->lighting,
-                           entry->background},
+                           hasBackground(inputs.part) ? entry->background : PipelineHandle{}},
                           record);
     return out;
 }

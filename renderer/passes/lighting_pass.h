@@ -79,6 +79,10 @@ struct LitScreenBindings {
     void record(PassContext& context) const;
 };
 
+/// What of the lit radiance is drawn: ShownImage::untextured to emission; all of it in any frame that is meant to be seen.
+enum class LightingPart : uint8_t { all, untextured, direct, ambient, ambientShare, emission };
+LightingPart lightingPartOf(ShownImage shown);
+
 class LightingPass {
 public:
     struct Inputs {
@@ -89,6 +93,7 @@ public:
         bool showSky = false;
         uint32_t width = 0, height = 0;
         bool contactShadows = false;  ///< of the first directional light, which casts
+        LightingPart part = LightingPart::all;
     };
     struct Outputs {
         ImageId radiance;  ///< RGBA16F, linear; alpha 0 where a transparent background shows
@@ -101,6 +106,7 @@ private:
     struct Entry {
         LightingFeatures features;
         bool ambientOcclusion, showSky, contactShadows;
+        LightingPart part;
         PipelineHandle lighting, background;
     };
     Result<Entry> find(const Inputs&);

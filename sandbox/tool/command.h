@@ -26,6 +26,7 @@ void printError(const Error& error);
 void printWarning(const std::string& message);
 
 void addBake(CLI::App& app, Action& action);
+void addBreakdown(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addCapture(CLI::App& app, Action& action);
 void addCompare(CLI::App& app, Action& action);

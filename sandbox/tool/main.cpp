@@ -14,6 +14,7 @@ int run(int argumentCount, char** arguments) {
     app.get_formatter()->column_width(34);
     Action action;
     addCapture(app, action);
+    addBreakdown(app, action);
     addCompare(app, action);
     addBench(app, action);
     addBake(app, action);

@@ -1,5 +1,6 @@
 #include "sandbox/tool/stats.h"
 
+#include "renderer/capture/report_json.h"
 #include "renderer/capture/write_file.h"
 
 #include <sys/resource.h>
@@ -16,46 +17,11 @@ double peakMemoryMb() {
     return double(usage.ru_maxrss) / 1024;
 }
 
-ordered_json frameJson(const FrameReport& r, const FrameTimes& times) {
-    return {{"cpu_build_ms", r.cpuBuildMs},
-            {"cpu_execute_ms", r.cpuExecuteMs},
-            {"gpu_ms", r.gpuMs},
-            {"wall_ms", times.wallMs},
-            {"instances", r.instances},
-            {"visible", r.visible},
-            {"culled_frustum", r.culledFrustum},
-            {"culled_occlusion", r.culledOcclusion},
-            {"culled_small", r.culledSmall},
-            {"rejected", r.rejected},
-            {"draws", r.draws},
-            {"triangles", r.triangles},
-            {"gl_calls", r.glCalls},
-            {"state_changes", r.stateChanges},
-            {"uploaded_bytes", r.uploadedBytes},
-            {"allocations", times.allocations},
-            {"lights", r.lights},
-            {"lights_visible", r.lightsVisible},
-            {"shadow_views_drawn", r.shadowViewsDrawn},
-            {"shadow_views_cached", r.shadowViewsCached},
-            {"shadow_lights", r.shadowLights},
-            {"shadow_lights_reduced", r.shadowLightsReduced},
-            {"shadow_lights_without", r.shadowLightsWithout},
-            {"waits", r.waits},
-            {"queue_waits", r.queueWaits}};
-}
-
-ordered_json passesJson(const FrameReport& report) {
-    ordered_json passes = ordered_json::array();
-    for (const PassReport& pass : report.passes)
-        passes.push_back({{"name", pass.name},
-                          {"draws", pass.draws},
-                          {"triangles", pass.triangles},
-                          {"cpu_ms", pass.cpuMs},
-                          {"gpu_ms", pass.gpuMs},
-                          {"reads", pass.reads},
-                          {"writes", pass.writes},
-                          {"bytes_per_pixel", pass.bytesPerPixel}});
-    return passes;
+ordered_json measuredFrame(const FrameReport& report, const FrameTimes& times) {
+    ordered_json frame = frameJson(report);
+    frame["wall_ms"] = times.wallMs;
+    frame["allocations"] = times.allocations;
+    return frame;
 }
 
 }  // namespace
@@ -72,7 +38,7 @@ ordered_json statsJson(RenderSetup& setup, uvec2 size, double firstFrameMs, cons
             {"load_ms", setup.loadMs()},
             {"first_frame_ms", firstFrameMs},
             {"peak_rss_mb", peakMemoryMb()},
-            {"frame", frameJson(report, times)},
+            {"frame", measuredFrame(report, times)},
             {"passes", passesJson(report)},
             {"fidelity",
              {{"exact", fidelity.exact},

@@ -18,6 +18,8 @@
 // samplers that do not compare
 layout(binding = RL_TEXTURE_SOURCE0) uniform sampler2DArray shadowDepths;
 layout(binding = RL_TEXTURE_SOURCE1) uniform sampler2DArray atlasDepths;
+#elif defined(SHOW_OVERDRAW)
+layout(binding = RL_TEXTURE_SOURCE0) uniform sampler2D fragmentCounts;
 #else
 layout(binding = RL_TEXTURE_GBUFFER0) uniform sampler2D gbuffer0;
 layout(binding = RL_TEXTURE_GBUFFER1) uniform sampler2D gbuffer1;
@@ -55,6 +57,10 @@ vec3 shownColor(float surface) {
                       ? textureLod(shadowDepths, vec3(at + 0.5, layer), 0.0).x
                       : sqrt(sqrt(textureLod(atlasDepths, vec3(at + 0.5, 0.0), 0.0).x));
     return vec3(depth * inside);
+}
+#elif defined(SHOW_OVERDRAW)
+vec3 shownColor(float surface) {
+    return falseColor(textureLod(fragmentCounts, uv, 0.0).x * (1.0 / 8.0));
 }
 #else
 vec3 shownColor(float depth) {
@@ -100,7 +106,7 @@ vec3 shownColor(float depth) {
 #endif
 
 void main() {
-#if defined(SHOW_SHADOW)
+#if defined(SHOW_SHADOW) || defined(SHOW_OVERDRAW)
     display = vec4(shownColor(0.0), 1.0);
 #else
     float depth = textureLod(depthMap, uv, 0.0).x;

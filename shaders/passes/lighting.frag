@@ -3,7 +3,13 @@
 
 layout(binding = RL_TEXTURE_DEPTH) uniform sampler2D depthMap;
 
+#if defined(AMBIENT_OCCLUSION)
+#include "interop/occlusion_arc.h"  // before ambient light includes it: the image may be looked at where there is none
+#endif
 #include "common/lighting.glsl"
+#if defined(LIGHTING_PART)
+#include "common/lighting_parts.glsl"
+#endif
 #if defined(AMBIENT_OCCLUSION)
 #include "common/ambient_occlusion.glsl"
 #endif
@@ -26,6 +32,10 @@ void main() {
     GBufferSample g = decodeGBuffer(GBufferTexels(textureLod(gbuffer0, screenUv, 0.0),
                                                   textureLod(gbuffer1, screenUv, 0.0),
                                                   textureLod(gbuffer2, screenUv, 0.0)));
+#if defined(PART_UNTEXTURED)
+    g.baseColor = vec3(1.0);
+    g.metallic = 0.0;
+#endif
     float depth = textureLod(depthMap, screenUv, 0.0).x;
     float linear = depth * flatDepthDecode.x + flatDepthDecode.y;
 #if defined(ORTHOGRAPHIC)
@@ -55,6 +65,11 @@ void main() {
 #if defined(IRRADIANCE_VOLUME)
     localLight(gl_FragCoord.xy, viewDepth, s.tint, s.flow);
 #endif
+#if defined(LIGHTING_PART)
+    vec3 part = lightingPart(s, gl_FragCoord.xy, g.emissive, g.unlit > 0.5);
+    radiance = vec4(min(part, RL_MAX_RADIANCE), 1.0);
+#else
     vec3 lit = lightSurface(s, gl_FragCoord.xy) + g.emissive;
     radiance = vec4(min(g.unlit > 0.5 ? g.baseColor : lit, RL_MAX_RADIANCE), 1.0);
+#endif
 }

@@ -32,7 +32,7 @@ void expectError(const std::string& arguments, int code) {
 }
 
 TEST(Cli, HelpWorksForEverySubcommand) {
-    for (const char* command : {"", "bake ", "capture ", "compare ", "bench ", "info ", "diagnose ",
+    for (const char* command : {"", "bake ", "breakdown ", "capture ", "compare ", "bench ", "info ", "diagnose ",
                                 "doctor ", "explain ", "replay "}) {
         const Ended result = run(std::string(command) + "--help");
         EXPECT_EQ(result.code, 0) << command;
@@ -47,6 +47,7 @@ TEST(Cli, WrongUseIsTwo) {
           "capture a.glb -o a.png --eye 1,2,3", "capture a.glb -o a.png --pass nonsense",
           "capture a.glb -o a.bmp", "capture a.glb -o a.png --frames 0-3",
           "capture a.glb -o %d.png --frames 3-0", "capture a.glb -o a.png --shadows maybe",
+          "breakdown a.glb", "breakdown -o out", "breakdown a.glb -o out --pass normal",
           "compare a.png", "bench a.glb --frames 0",
           "capture a.glb -o a.png --exposure-scale nan", "capture a.glb -o a.png --fov nan",
           "capture a.glb -o a.png --environment-rotation inf",
@@ -65,6 +66,8 @@ TEST(Cli, WrongUseIsTwo) {
 TEST(Cli, BadInputIsThree) {
     expectError("info /nowhere/a.glb", 3);
     expectError("capture /nowhere/a.glb -o /nowhere/a.png", 3);
+    expectError("breakdown /nowhere/a.glb -o /nowhere/out", 3);
+    expectError("breakdown /nowhere/a.glb -o /nowhere/out --compare /nowhere/frame.json", 3);
     expectError("compare /nowhere/a.png /nowhere/b.png", 3);
     expectError("diagnose /nowhere/a.glb", 3);
     expectError("explain /nowhere/a.glb 1,2", 3);

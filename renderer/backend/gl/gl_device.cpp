@@ -279,8 +279,10 @@ void GlDevice::execute(const CommandBuffer& commands, const ExecuteOptions& opti
     for (PassExecution& pass : report.passes) {
         pass.draws = 0;
         pass.triangles = 0;
+        pass.glCalls = pass.stateChanges = 0;
         pass.cpuMs = pass.gpuMs = 0;
         pass.attachmentHashes.clear();
+        pass.attachments.clear();
     }
     functions_->calls = 0;
     report.glCalls = report.stateChanges = report.waits = 0;
@@ -302,11 +304,12 @@ void GlDevice::execute(const CommandBuffer& commands, const ExecuteOptions& opti
     ring_.end();
     gl_.Flush();
 
-    report.glCalls = functions_->calls;
-    report.stateChanges = state_.changes();
+    report.glCalls = functions_->calls - executor.looking().calls;
+    report.stateChanges = state_.changes() - executor.looking().changes;
     report.uploadedBytes = commands.data().size();
     report.waits = ring_.waits();
-    report.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    report.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count() -
+                   executor.looking().ms;
 }
 
 }  // namespace

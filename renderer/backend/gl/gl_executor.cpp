@@ -1,8 +1,10 @@
 #include "renderer/backend/gl/gl_executor.h"
 
+#include "engine/core/hash.h"
 #include "renderer/backend/gl/gl_enums.h"
 
 #include <cstring>
+#include <utility>
 
 namespace rushlight {
 namespace {
@@ -25,7 +27,7 @@ GlExecutor::Source GlExecutor::resolve(const BufferRange& range) const {
 void GlExecutor::operator()(const BeginPass& command) {
     RL_CHECK(!pass_, "a pass begins inside of another");
     pass_ = &command;
-    passStart_ = std::chrono::steady_clock::now();
+    passBegan_ = counted();
     if (report_.passes.size() <= command.passIndex) report_.passes.resize(command.passIndex + 1);
     if (options_.debugGroups)
         gl_.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, command.passIndex,
@@ -79,27 +81,41 @@ void GlExecutor::operator()(const EndPass& command) {
     RL_CHECK(pass_ && pass_->passIndex == command.passIndex, "a pass ends that did not begin");
     PassExecution& result = report_.passes[command.passIndex];
     if (options_.timers) parts_.timers.endPass(command.passIndex);
-    if (options_.hashAttachments) hashAttachments(*pass_, result.attachmentHashes);
     if (options_.debugGroups) gl_.PopDebugGroup();
     result.gpuMs = options_.timers ? parts_.timers.milliseconds(command.passIndex) : 0;
-    result.cpuMs = std::chrono::duration<double, std::milli>(
-                       std::chrono::steady_clock::now() - passStart_).count();
+    const Count ended = counted();
+    result.cpuMs = ended.ms - passBegan_.ms;
+    result.glCalls = ended.calls - passBegan_.calls;
+    result.stateChanges = ended.changes - passBegan_.changes;
+    if (options_.hashAttachments || options_.keepAttachments) {
+        lookInto(*pass_, result);
+        const Count looked = counted();
+        looking_.calls += looked.calls - ended.calls;
+        looking_.changes += looked.changes - ended.changes;
+        looking_.ms += looked.ms - ended.ms;
+    }
     pass_ = nullptr;
     pipeline_ = nullptr;
 }
 
-void GlExecutor::hashAttachments(const BeginPass& pass, std::vector<uint64_t>& hashes) {
+void GlExecutor::lookInto(const BeginPass& pass, PassExecution& result) {
     if (toFrameTarget_) {
-        hashes.push_back(parts_.readback.hashTarget(state_, options_.target));
+        look(result, parts_.readback.readTarget(state_, options_.target));
         return;
     }
     for (uint32_t i = 0; i < pass.colorCount; ++i)
         if (const ColorAttachment& color = pass.colors[i]; color.texture)
-            hashes.push_back(parts_.readback.hashTexture(parts_.resources.texture(color.texture),
-                                                         color.layer, color.mipLevel));
+            look(result, parts_.readback.readImage(parts_.resources.texture(color.texture),
+                                                   color.layer, color.mipLevel));
     if (pass.depth.texture)
-        hashes.push_back(parts_.readback.hashTexture(parts_.resources.texture(pass.depth.texture),
-                                                     pass.depth.layer, 0));
+        look(result, parts_.readback.readImage(parts_.resources.texture(pass.depth.texture),
+                                               pass.depth.layer, 0));
+}
+
+void GlExecutor::look(PassExecution& result, ReadbackImage image) const {
+    if (options_.hashAttachments)
+        result.attachmentHashes.push_back(hashBytes(image.bytes.data(), image.bytes.size()));
+    if (options_.keepAttachments) result.attachments.push_back(std::move(image));
 }
 
 // ---- state -------------------------------------------------------------------------------------------------------

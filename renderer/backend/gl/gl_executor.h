@@ -41,6 +41,13 @@ public:
     GlExecutor(const GlParts& parts, const ExecuteOptions& options, ExecutionReport& report)
         : parts_(parts), gl_(parts.gl), state_(parts.state), options_(options), report_(report) {}
 
+    struct Count {
+        uint32_t calls = 0, changes = 0;
+        double ms = 0;
+    };
+    /// What was done to look into passes, and is no part of the frame.
+    const Count& looking() const { return looking_; }
+
     void operator()(const BeginPass& command);
     void operator()(const DeclareImage&) {}
     void operator()(const EndPass& command);
@@ -65,7 +72,13 @@ private:
     Source resolve(const BufferRange& range) const;
     void load(const BeginPass& pass, GLuint framebuffer);
     void clearColor(GLuint framebuffer, uint32_t slot, const ColorAttachment& color);
-    void hashAttachments(const BeginPass& pass, std::vector<uint64_t>& hashes);
+    Count counted() const { return {gl_.calls, state_.changes(), millisecondsSince(frameStart_)}; }
+    static double millisecondsSince(std::chrono::steady_clock::time_point start) {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+            .count();
+    }
+    void lookInto(const BeginPass& pass, PassExecution& result);
+    void look(PassExecution& result, ReadbackImage image) const;
     GLenum prepareDraw();
     void count(uint32_t draws, uint64_t triangles);
 
@@ -79,7 +92,8 @@ private:
     const GlPipeline* pipeline_ = nullptr;
     GlVertexArrays::Streams streams_{};
     Source indices_;
-    std::chrono::steady_clock::time_point passStart_;
+    const std::chrono::steady_clock::time_point frameStart_ = std::chrono::steady_clock::now();
+    Count passBegan_, looking_;
 };
 
 }  // namespace rushlight

@@ -1,6 +1,5 @@
 #include "renderer/backend/gl/gl_readback.h"
 
-#include "engine/core/hash.h"
 #include "renderer/backend/gl/gl_enums.h"
 #include "renderer/backend/validate.h"
 
@@ -126,17 +125,19 @@ void GlReadback::read(const GlTexture& texture, uint32_t layer, uint32_t mipLeve
     copyOut(gl_, texture, layer, mipLevel, out.size(), out.data());
 }
 
-uint64_t GlReadback::hashTexture(const GlTexture& texture, uint32_t layer, uint32_t mipLevel) {
-    scratch_.resize(size_t(bytesPerTexel(texture.format)) * mipSize(texture.width, mipLevel) *
-                    mipSize(texture.height, mipLevel));
-    copyOut(gl_, texture, layer, mipLevel, scratch_.size(), scratch_.data());
-    return hashBytes(scratch_.data(), scratch_.size());
+ReadbackImage GlReadback::readImage(const GlTexture& texture, uint32_t layer, uint32_t mipLevel) {
+    ReadbackImage image{texture.format, mipSize(texture.width, mipLevel),
+                        mipSize(texture.height, mipLevel), {}};
+    image.bytes.resize(size_t(bytesPerTexel(image.format)) * image.width * image.height);
+    copyOut(gl_, texture, layer, mipLevel, image.bytes.size(), image.bytes.data());
+    return image;
 }
 
-uint64_t GlReadback::hashTarget(GlState& state, const FrameTarget& target) {
-    scratch_.resize(size_t(target.width) * target.height * bytesPerTexel(Format::rgba8));
-    copyOut(gl_, state, target, scratch_.data());
-    return hashBytes(scratch_.data(), scratch_.size());
+ReadbackImage GlReadback::readTarget(GlState& state, const FrameTarget& target) {
+    ReadbackImage image{Format::rgba8, target.width, target.height, {}};
+    image.bytes.resize(size_t(image.width) * image.height * bytesPerTexel(image.format));
+    copyOut(gl_, state, target, image.bytes.data());
+    return image;
 }
 
 }  // namespace rushlight

@@ -17,11 +17,11 @@ public:
     void copyTarget(uint32_t ticket, GlState& state, const FrameTarget& target);
     bool take(uint32_t ticket, bool wait, ReadbackImage& image);
 
-    // At once, waiting: what an image holds, and the hash of what an attachment holds.
+    // At once, waiting: what an image holds.
     void read(const GlTexture& texture, uint32_t layer, uint32_t mipLevel,
               std::span<std::byte> out);
-    uint64_t hashTexture(const GlTexture& texture, uint32_t layer, uint32_t mipLevel);
-    uint64_t hashTarget(GlState& state, const FrameTarget& target);
+    ReadbackImage readImage(const GlTexture& texture, uint32_t layer, uint32_t mipLevel);
+    ReadbackImage readTarget(GlState& state, const FrameTarget& target);
 
 private:
     struct Slot {
@@ -41,7 +41,6 @@ private:
 
     const GlFunctions& gl_;
     std::vector<Slot> slots_;
-    std::vector<std::byte> scratch_;
 };
 
 /// Rows of any width, tightly packed, whatever the host has set. 4 is GL's default.

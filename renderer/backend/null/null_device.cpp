@@ -48,8 +48,9 @@ public:
         : state_(state), dataSize_(commands.data().size()), options_(options), report_(report) {}
 
     void operator()(const BeginPass& c) {
-        ++report_.glCalls;
         RL_CHECK(!pass_, "a pass begins inside of another");
+        callsBefore_ = report_.glCalls++;
+        changesBefore_ = report_.stateChanges;
         if (report_.passes.size() <= c.passIndex) report_.passes.resize(c.passIndex + 1);
         pass_ = &report_.passes[c.passIndex];
         if (!c.toFrameTarget)
@@ -59,11 +60,14 @@ public:
         const uint32_t depths = c.depth.texture && !c.toFrameTarget ? 1 : 0;
         if (options_.hashAttachments)
             pass_->attachmentHashes.assign(c.toFrameTarget ? 1 : c.colorCount + depths, 0);
+        if (options_.keepAttachments) keepAttachments(c);
     }
     void operator()(const DeclareImage& c) { checkTexture(c.texture); }
     void operator()(const EndPass&) {
         ++report_.glCalls;
         RL_CHECK(pass_, "a pass ends that did not begin");
+        pass_->glCalls = report_.glCalls - callsBefore_;
+        pass_->stateChanges = report_.stateChanges - changesBefore_;
         pass_ = nullptr;
         pipeline_ = nullptr;
     }
@@ -111,6 +115,20 @@ public:
     }
 
 private:
+    void keepAttachments(const BeginPass& c) {
+        const auto keep = [&](Format format, uint32_t width, uint32_t height) {
+            const size_t bytes = size_t(bytesPerTexel(format)) * width * height;
+            pass_->attachments.push_back({format, width, height, std::vector<std::byte>(bytes)});
+        };
+        if (c.toFrameTarget) return keep(Format::rgba8, c.width, c.height);
+        const auto keepTexture = [&](TextureHandle handle, uint32_t mip) {
+            const NullTexture& texture = checkTexture(handle);
+            keep(texture.format, mipSize(texture.width, mip), mipSize(texture.height, mip));
+        };
+        for (uint32_t i = 0; i < c.colorCount; ++i)
+            if (c.colors[i].texture) keepTexture(c.colors[i].texture, c.colors[i].mipLevel);
+        if (c.depth.texture) keepTexture(c.depth.texture, 0);
+    }
     void changeState() {
         ++report_.glCalls;
         ++report_.stateChanges;
@@ -139,6 +157,7 @@ private:
     const ExecuteOptions& options_;
     ExecutionReport& report_;
     PassExecution* pass_ = nullptr;
+    uint32_t callsBefore_ = 0, changesBefore_ = 0;
     const NullPipeline* pipeline_ = nullptr;
 };
 
@@ -240,8 +259,10 @@ public:
         for (PassExecution& pass : report.passes) {
             pass.draws = 0;
             pass.triangles = 0;
+            pass.glCalls = pass.stateChanges = 0;
             pass.cpuMs = pass.gpuMs = 0;
             pass.attachmentHashes.clear();
+            pass.attachments.clear();
         }
         report.glCalls = report.stateChanges = report.waits = 0;
         report.uploadedBytes = commands.data().size();
