@@ -17,7 +17,7 @@ constexpr uint32_t kSamples = 576;
 constexpr double kPower = 1.5;
 /// Of the lobes' own difference beside that of whole lights, times alpha: without it lights that are narrower than the
 /// caps suffer.
-constexpr float kShapeWeight = 4;
+constexpr float kShapeWeight = 1;
 constexpr float kSharpAlpha = 0.01f;  // what is sharper is a point to whole lights
 
 /// GGX seen from one side: the view in the x-z plane.
@@ -107,7 +107,7 @@ float errorOf(const Lobe& lobe, const Parameters& p) {
     return float(sum);
 }
 
-/// What whole lights get of a lobe: its integrals over soft-edged caps that cover the hemisphere, in two sizes.
+/// What whole lights get of a lobe: its integrals over soft-edged caps that cover the hemisphere, in three sizes.
 class CapLights {
 public:
     CapLights() {
@@ -143,7 +143,7 @@ private:
     std::vector<Cap> caps_;
 };
 
-/// The differences of two lobes' integrals: the fourth power, as the worst light counts.
+/// The differences of two lobes' integrals: the eighth power, as the worst light counts, on the scale of the fourth.
 class CapError {
 public:
     explicit CapError(const Lobe& lobe) : truth_(lights().count()), fitted_(lights().count()) {
@@ -166,10 +166,10 @@ public:
         }
         double sum = 0;
         for (size_t i = 0; i < truth_.size(); ++i) {
-            const double difference = double(truth_[i] - fitted_[i]);
-            sum += difference * difference * difference * difference;
+            const double difference = double(truth_[i] - fitted_[i]), square = difference * difference;
+            sum += square * square * square * square;
         }
-        return float(sum * 1e6);
+        return float(std::sqrt(sum) * 1e6);
     }
 
 private:

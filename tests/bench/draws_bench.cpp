@@ -72,7 +72,7 @@ struct SortedDraws {
             const InstanceRecord& r = world.record(i);
             const float depth = 60 + r.center().z;
             items.push_back({opaqueKey(r.surfaceFlags, r.textureSet, r.mesh.index(), 0, depth),
-                             FrameWorlds::object(1, i), r.surfaceFlags, 0, 0});
+                             FrameWorlds::object(1, i), r.surfaceFlags, 0});
         }
     }
     void record(JobSystem& jobs) {

@@ -49,7 +49,7 @@ TEST_F(BreakdownCli, ThePageHoldsAndItsTotalsAreThoseOfStats) {
     for (const char* page : {"a/index.html", "b/index.html"}) {
         const std::string document = documentOf(path(page));
         EXPECT_EQ(attributeOf(document, "data-check"), "ok") << page << ": " << attributeOf(document, "data-problems");
-        EXPECT_GE(std::stoul("0" + attributeOf(document, "data-pictures")), 30u);
+        EXPECT_GE(std::stoul(std::string("0").append(attributeOf(document, "data-pictures"))), 30u);
     }
 }
 

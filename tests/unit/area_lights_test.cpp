@@ -157,7 +157,7 @@ TEST(AreaLights, AWholeHemisphereIsOne) {
 // its light (a metal).
 TEST(AreaLights, SpecularFormFactorsFollowTheSumOverTheSurface) {
     double sum = 0, worst = 0, worstDielectric = 0;
-    uint32_t count = 0, overThree = 0;
+    uint32_t count = 0;
     for (const float roughness : {0.1f, 0.2f, 0.35f, 0.5f, 0.75f, 1.0f})
         for (const float nDotV : {0.25f, 0.5f, 0.7f, 0.95f})
             for (const AreaCase& c : cases()) {
@@ -166,17 +166,14 @@ TEST(AreaLights, SpecularFormFactorsFollowTheSumOverTheSurface) {
                 const double error = std::abs(double(f.y) - truth.specular);
                 const double reflected = truth.diffuse + 0.04 * truth.specular;
                 const double dielectric = std::abs(double(f.x) + 0.04 * double(f.y) - reflected) / reflected;
-                EXPECT_LT(error, 0.036) << c.name << " " << roughness << " " << nDotV;
+                EXPECT_LT(error, 0.03) << c.name << " " << roughness << " " << nDotV;
                 EXPECT_LT(dielectric, 0.03) << c.name << " " << roughness << " " << nDotV;
                 sum += error;
                 worst = std::max(worst, error);
                 worstDielectric = std::max(worstDielectric, dielectric);
-                if (getenv("DUMP") && (error > 0.025 || dielectric > 0.025)) std::printf("%s r %g nv %g: lobe %.4f truth %.4f err %.4f diel %.4f (diffuse err %.4f)\n", c.name, double(roughness), double(nDotV), double(f.y), truth.specular, double(f.y)-truth.specular, dielectric, (double(f.x)-truth.diffuse)/reflected);
-                overThree += error > 0.03 || dielectric > 0.03;
                 ++count;
             }
     EXPECT_LT(sum / count, 0.006);
-    EXPECT_LE(overThree, 2u) << "of " << count << "; worst " << worst << ", " << worstDielectric;
     RecordProperty("worst", std::to_string(worst));
     RecordProperty("worstDielectric", std::to_string(worstDielectric));
 }
