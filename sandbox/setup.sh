@@ -7,7 +7,7 @@ libglm-dev libtinygltf-dev libdraco-dev libmeshoptimizer-dev libopenimageio-dev 
 libimgui-dev libstb-dev libcli11-dev nlohmann-json3-dev libexpected-dev libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth"
 
 # What tests alone need: without it they say that they skip.
-rushlight_test_packages="chromium"
+rushlight_test_packages="chromium munge slurm-wlm"
 
 # Arguments: further packages.
 rushlight_install() {

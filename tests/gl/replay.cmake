@@ -18,7 +18,7 @@ target_link_libraries(replay_cli_gl_test PRIVATE rushlight_core GTest::gtest_mai
 add_dependencies(replay_cli_gl_test rushlight)
 gtest_discover_tests(replay_cli_gl_test PROPERTIES TIMEOUT 120)
 
-add_executable(sequence_cli_gl_test sequence_cli_gl_test.cpp)
+add_executable(sequence_cli_gl_test sequence_cli_gl_test.cpp ../support/moving_scene.cpp)
 target_compile_definitions(sequence_cli_gl_test PRIVATE
   RUSHLIGHT_TOOL="$<TARGET_FILE:rushlight>" RUSHLIGHT_SOURCE="${PROJECT_SOURCE_DIR}")
 target_link_libraries(sequence_cli_gl_test PRIVATE

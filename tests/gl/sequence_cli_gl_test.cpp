@@ -1,5 +1,6 @@
 // capture --frames: shards, resumed runs and what they leave behind.
 
+#include "tests/support/moving_scene.h"
 #include "tests/support/run_tool.h"
 #include "tests/support/temporary_directory.h"
 
@@ -8,6 +9,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 
 namespace rushlight {
@@ -20,10 +22,7 @@ constexpr int kFrames = 12;
 
 class SequenceCli : public testing::Test {
 protected:
-    void SetUp() override {
-        fs::copy(RUSHLIGHT_SOURCE "/content/testcard", folder.path());
-        writeMoving(path("moving.gltf"));
-    }
+    void SetUp() override { writeMovingScene(RUSHLIGHT_SOURCE "/content/testcard", folder.path()); }
     std::string path(const std::string& name) const { return folder.path() + "/" + name; }
     static std::string bytesOf(const std::string& file) {
         std::ifstream stream(file, std::ios::binary);
@@ -48,40 +47,6 @@ protected:
         return count;
     }
 
-    /// The test card, from a camera that goes far away and comes back, with a lamp and a sphere that move.
-    void writeMoving(const std::string& file) const {
-        Json gltf = Json::parse(bytesOf(path("testcard.gltf")));
-        const float times[] = {0, 1.5f, 3};
-        const float paths[3][9] = {{0, 2.2f, 7.4f, 0, 8, 40, 0, 2.2f, 7.4f},
-                                   {-2.9f, 1.9f, 1.4f, 2.9f, 1.9f, 1.4f, -2.9f, 2.5f, 1},
-                                   {0, 0.42f, -0.5f, 0, 1.5f, 2, 0, 0.42f, -0.5f}};
-        const int nodes[] = {0, 2, 9};
-        std::string bytes(reinterpret_cast<const char*>(times), sizeof times);
-        bytes.append(reinterpret_cast<const char*>(paths), sizeof paths);
-        std::ofstream(path("moving.bin"), std::ios::binary) << bytes;
-        const size_t buffer = gltf["buffers"].size(), firstView = gltf["bufferViews"].size(),
-                     firstAccessor = gltf["accessors"].size();
-        gltf["buffers"].push_back({{"uri", "moving.bin"}, {"byteLength", bytes.size()}});
-        const auto add = [&](size_t offset, size_t size, const char* type) {
-            gltf["bufferViews"].push_back(
-                {{"buffer", buffer}, {"byteOffset", offset}, {"byteLength", size}});
-            gltf["accessors"].push_back({{"bufferView", gltf["bufferViews"].size() - 1},
-                                         {"componentType", 5126}, {"count", 3}, {"type", type}});
-        };
-        add(0, sizeof times, "SCALAR");
-        gltf["accessors"].back()["min"] = {0};
-        gltf["accessors"].back()["max"] = {3};
-        Json animation;
-        for (size_t i = 0; i < 3; ++i) {
-            add(sizeof times + i * sizeof paths[0], sizeof paths[0], "VEC3");
-            animation["samplers"].push_back({{"input", firstAccessor}, {"output", firstAccessor + 1 + i}});
-            animation["channels"].push_back(
-                {{"sampler", i}, {"target", {{"node", nodes[i]}, {"path", "translation"}}}});
-        }
-        gltf["animations"].push_back(animation);
-        ASSERT_EQ(firstView + 4, gltf["bufferViews"].size());
-        std::ofstream(file) << gltf.dump();
-    }
     TemporaryDirectory folder;
 };
 
