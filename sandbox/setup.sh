@@ -6,8 +6,8 @@ libglfw3-dev libegl-dev libgl-dev libegl1 libgl1-mesa-dri libosmesa6
 libglm-dev libtinygltf-dev libdraco-dev libmeshoptimizer-dev libopenimageio-dev openimageio-tools libtbb-dev libhwy-dev libembree-dev
 libimgui-dev libstb-dev libcli11-dev nlohmann-json3-dev libexpected-dev libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth"
 
-# What tests alone need: without it they say that they skip.
-rushlight_test_packages="chromium munge slurm-wlm"
+# What tests alone need: without them they say that they skip.
+rushlight_test_packages="chromium apitrace python3-renderdoc slurm-wlm munge"
 
 # Arguments: further packages.
 rushlight_install() {

@@ -1,6 +1,7 @@
 #include "sandbox/tool/command.h"
 #include "sandbox/tool/frame_runner.h"
 #include "sandbox/tool/options.h"
+#include "sandbox/tool/trace_file.h"
 
 #include <unistd.h>
 #include <nlohmann/json.hpp>
@@ -16,6 +17,7 @@ struct BenchArguments {
     RenderOptions render;
     uint32_t frames = 30;
     std::string json;
+    std::string trace;
     bool redrawShadows = false;
 };
 
@@ -106,26 +108,41 @@ Result<Sample> measure(RenderSetup& setup, const BenchArguments& arguments) {
     return sample;
 }
 
-Result<int> bench(const BenchArguments& arguments) {
-    auto setup = RenderSetup::open(arguments.render, true);
-    if (!setup) return tl::unexpected(setup.error());
-    const uint32_t warmup = std::max(arguments.render.warmup, 1u);
+/// What all frames gave.
+struct Samples {
     double firstFrameMs = 0;
-    std::vector<Sample> samples;
+    std::vector<Sample> measured;
+};
+
+Result<void> measureAll(RenderSetup& setup, const BenchArguments& arguments, TraceFile& trace,
+                        Samples& samples) {
+    const uint32_t warmup = std::max(arguments.render.warmup, 1u);
     for (uint32_t i = 0; i < warmup + arguments.frames; ++i) {
-        auto sample = measure(**setup, arguments);
+        auto sample = measure(setup, arguments);
         if (!sample) return tl::unexpected(sample.error());
-        if (i == 0) firstFrameMs = sample->times.wallMs;
-        if (i >= warmup) samples.push_back(std::move(*sample));
+        trace.add(sample->report, sample->times, i < warmup);
+        if (i == 0) samples.firstFrameMs = sample->times.wallMs;
+        if (i >= warmup) samples.measured.push_back(std::move(*sample));
         if (isatty(STDERR_FILENO))
             std::fprintf(stderr, "\rframe %u of %u%s", i + 1, warmup + arguments.frames,
                          i + 1 == warmup + arguments.frames ? "\n" : "");
     }
-    const Sample result = medians(samples);
-    printSummary(**setup, result, samples);
-    auto json =
-        statsJson(**setup, arguments.render.size, firstFrameMs, result.report, result.times);
-    json["bench"] = wallJson(samples);
+    return {};
+}
+
+Result<int> bench(const BenchArguments& arguments) {
+    TraceFile trace(arguments.trace);
+    if (auto checked = trace.check(); !checked) return tl::unexpected(checked.error());
+    auto setup = RenderSetup::open(arguments.render, true);
+    if (!setup) return tl::unexpected(setup.error());
+    Samples samples;
+    auto drawn = trace.finish(measureAll(**setup, arguments, trace, samples), **setup);
+    if (!drawn) return tl::unexpected(drawn.error());
+    const Sample result = medians(samples.measured);
+    printSummary(**setup, result, samples.measured);
+    auto json = statsJson(**setup, arguments.render.size, samples.firstFrameMs, result.report,
+                          result.times);
+    json["bench"] = wallJson(samples.measured);
     for (const std::string& path : {arguments.json, arguments.render.stats})
         if (!path.empty())
             if (auto written = writeJson(path, json); !written)
@@ -145,6 +162,7 @@ void addBench(CLI::App& app, Action& action) {
         ->check(CLI::Range(1u, 1000000u))
         ->capture_default_str();
     command->add_option("--json", arguments->json, "Write the numbers as JSON");
+    addTraceOption(*command, arguments->trace);
     command->add_flag("--redraw-shadows", arguments->redrawShadows,
                       "Draw every shadow map in every frame");
     command->callback([&action, arguments] { action = [arguments] { return bench(*arguments); }; });

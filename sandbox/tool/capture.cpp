@@ -6,6 +6,7 @@
 #include "sandbox/tool/options.h"
 #include "sandbox/tool/output_names.h"
 #include "sandbox/tool/sequence.h"
+#include "sandbox/tool/trace_file.h"
 
 #include <unistd.h>
 #include <nlohmann/json.hpp>
@@ -23,6 +24,7 @@ struct CaptureArguments {
     std::string output;
     std::string pass;
     std::string saveFrame;
+    std::string trace;
     bool hashes = false;
     std::optional<FrameRange> frames;
     SequenceOptions sequence;
@@ -50,8 +52,8 @@ void printHashes(const FrameReport& report) {
 
 class Capture {
 public:
-    Capture(const CaptureArguments& arguments, RenderSetup& setup)
-        : arguments_(arguments), setup_(setup) {}
+    Capture(const CaptureArguments& arguments, RenderSetup& setup, TraceFile& trace)
+        : arguments_(arguments), setup_(setup), trace_(trace) {}
 
     Result<void> warmUp();
     Result<void> sequence();
@@ -67,6 +69,8 @@ private:
 
     const CaptureArguments& arguments_;
     RenderSetup& setup_;
+    TraceFile& trace_;
+    bool warmingUp_ = false;
     FrameTimes times_;
     double firstFrameMs_ = -1;
     std::optional<SequenceCounts> sequence_;
@@ -83,13 +87,16 @@ Result<CapturedImage> Capture::render(const FrameInput& frame, CaptureKind kind,
                                       const FrameOptions& options) {
     auto image = renderFrame(setup_, frame, arguments_.render.size, kind, options, times_);
     if (firstFrameMs_ < 0) firstFrameMs_ = times_.wallMs;
+    if (image) trace_.add(setup_.renderer().report(), times_, warmingUp_);
     return image;
 }
 
 Result<void> Capture::warmUp() {
+    warmingUp_ = true;
     for (uint32_t i = 0; i < arguments_.render.warmup; ++i)
         if (auto image = render(input(), CaptureKind::display, {}); !image)
             return tl::unexpected(image.error());
+    warmingUp_ = false;
     return {};
 }
 
@@ -125,6 +132,7 @@ Result<void> Capture::sequence() {
     FrameOptions options;
     options.hashPasses = arguments_.hashes;
     const auto counts = sequence.run(options, [&](const FrameReport& report) {
+        trace_.add(report, sequence.times(), false);
         if (arguments_.hashes) printHashes(report);
     });
     if (!counts) return tl::unexpected(counts.error());
@@ -166,15 +174,18 @@ Result<void> checkOutput(const CaptureArguments& arguments) {
 
 Result<int> capture(const CaptureArguments& arguments) {
     if (auto checked = checkOutput(arguments); !checked) return tl::unexpected(checked.error());
+    TraceFile trace(arguments.trace);
+    if (auto checked = trace.check(); !checked) return tl::unexpected(checked.error());
     auto setup = RenderSetup::open(arguments.render, false);
     if (!setup) return tl::unexpected(setup.error());
-    Capture capturing(arguments, **setup);
+    Capture capturing(arguments, **setup, trace);
     Result<void> step = capturing.warmUp();
     if (step && arguments.pass == "all")
         step = capturing.allPasses();
     else if (step)
         step = arguments.frames ? capturing.sequence() : capturing.single();
     if (step) step = capturing.writeStats();
+    step = trace.finish(std::move(step), **setup);
     if (!step) return tl::unexpected(step.error());
     return kSuccess;
 }
@@ -187,7 +198,7 @@ void prepareSequence(const CLI::App& command, CaptureArguments& arguments) {
     sequence.startTime = arguments.render.time;
     sequence.key = frameKey(command, arguments.render,
                             {"--output", "--frames", "--shard", "--resume", "--no-write", "--warmup",
-                             "--threads", "--context", "--stats", "--hashes", "--strict"});
+                             "--threads", "--context", "--stats", "--trace", "--hashes", "--strict"});
 }
 
 void addSequenceOptions(CLI::App& command, CLI::Option& frames, SequenceOptions& sequence) {
@@ -232,6 +243,7 @@ void addCapture(CLI::App& app, Action& action) {
     CLI::Option* saveFrame = command->add_option(
         "--save-frame", arguments->saveFrame,
         "Also write the frame's commands and resources into this .rlf file, for replay");
+    addTraceOption(*command, arguments->trace);
     CLI::Option* frames = command->add_option_function<std::string>(
         "--frames", [arguments](const std::string& text) { arguments->frames = parseFrames(text); },
         "A-B: a sequence of frames");

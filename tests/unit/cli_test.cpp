@@ -56,6 +56,7 @@ TEST(Cli, WrongUseIsTwo) {
           "capture a.glb -o a --pass all --save-frame f.rlf", "replay", "replay a.rlf",
           "replay a.rlf -o a.bmp", "replay a.rlf -o a.png --until 0", "replay a.rlf --until 3",
           "replay --diff a.rlf", "replay a.rlf --diff b.rlf c.rlf", "replay a.rlf -o a.png --size 5x5",
+          "capture a.glb -o a.png --trace", "bench a.glb --trace", "info a.glb --trace t.json",
           "diagnose", "diagnose a.glb --stats s.json", "explain a.glb", "explain a.glb 5", "explain a.glb 5,",
           "explain a.glb 5,6,7", "explain a.glb -1,5", "explain a.glb 5.5,1", "explain a.glb 1280,0",
           "explain a.glb 0,32 --size 64x32", "explain a.glb 0,0 --stats s.json",
@@ -75,6 +76,15 @@ TEST(Cli, BadInputIsThree) {
     expectError("replay /dev --list", 3);
     expectError("replay " RUSHLIGHT_TOOL " --list", 3);
     expectError("replay --diff " RUSHLIGHT_TOOL " " RUSHLIGHT_TOOL, 3);
+}
+
+TEST(Cli, ATraceThatCannotBeWrittenIsSaidBeforeTheSceneIsLoaded) {
+    for (const char* arguments : {"capture /nowhere/a.glb -o /nowhere/a.png", "bench /nowhere/a.glb"}) {
+        const std::string traced = std::string(arguments) + " --trace /dev/null/t.json";
+        expectError(traced, 3);
+        EXPECT_NE(run(traced).errors.find("/dev/null"), std::string::npos) << run(traced).errors;
+        EXPECT_EQ(run(traced).errors.find("a.glb"), std::string::npos);
+    }
 }
 
 }  // namespace

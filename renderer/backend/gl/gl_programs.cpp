@@ -111,6 +111,7 @@ Result<GLuint> GlPrograms::build(const Program& program, const Sources& sources)
 Result<GLuint> GlPrograms::compile(GLenum stage, const std::string& file,
                                    const ShaderSource& source) const {
     const GLuint shader = gl_.CreateShader(stage);
+    gl_.label(GL_SHADER, shader, file);
     const GLchar* text = source.text.data();
     const GLint length = GLint(source.text.size());
     gl_.ShaderSource(shader, 1, &text, &length);

@@ -20,6 +20,18 @@ GlAttachments attachmentsOf(const BeginPass& pass) {
     return attachments;
 }
 
+// Samplers are shared by all that need an equal one: named after what they do.
+std::string labelOf(const SamplerDesc& desc) {
+    constexpr const char* kWraps[] = {"repeat", "clamp", "mirror"};
+    const auto filter = [](TextureFilter f) { return f == TextureFilter::linear ? "linear" : "nearest"; };
+    std::string label = std::string("sampler ") + filter(desc.minify);
+    if (desc.useMipmaps) label += std::string(" mip ") + filter(desc.mipmap);
+    label += std::string(" ") + kWraps[size_t(desc.wrapU)];
+    if (desc.wrapV != desc.wrapU) label += std::string("/") + kWraps[size_t(desc.wrapV)];
+    if (desc.compareGreaterEqual) label += " compare";
+    return label;
+}
+
 }  // namespace
 
 GlResources::~GlResources() {
@@ -75,6 +87,7 @@ GlSampler GlResources::createSampler(const SamplerDesc& desc, float maxAnisotrop
     }
     const float anisotropy = std::min(desc.maxAnisotropy, maxAnisotropy);
     if (anisotropy > 1) gl_.SamplerParameterf(sampler.name, kMaxAnisotropy, anisotropy);
+    gl_.label(GL_SAMPLER, sampler.name, labelOf(desc));
     return sampler;
 }
 

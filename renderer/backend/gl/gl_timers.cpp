@@ -25,6 +25,8 @@ void GlTimers::mark(uint32_t index) {
         open_->queries.push_back(0);
         open_->marked.push_back(0);
         gl_.CreateQueries(GL_TIMESTAMP, 1, &open_->queries.back());
+        gl_.label(GL_QUERY, open_->queries.back(),
+                  open_->queries.size() % 2 ? "pass begins" : "pass ends");
     }
     open_->marked[index] = 1;
     open_->last = open_->queries[index];
