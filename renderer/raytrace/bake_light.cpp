@@ -45,6 +45,18 @@ uint64_t hashOf(const BakeLighting& lighting) {
             add(light.up);
         }
     }
+    for (const AreaLight& light : lighting.area) {
+        add(uint8_t(light.shape));
+        add(light.position);
+        add(light.halfX);
+        add(light.halfY);
+        add(light.radius);
+        add(light.luminance);
+        add(uint8_t(light.twoSided));
+        add(light.range);
+        add(uint8_t(light.castsShadow));
+        add(light.shadowNear);
+    }
     const EnvironmentDesc& env = lighting.environment;
     hash = hashBytes(env.pixels.data(), env.pixels.size_bytes(), hash);
     if (!env.pixels.empty()) {
@@ -74,6 +86,13 @@ Result<BakeLight> BakeLight::create(const BakeLighting& lighting, JobSystem& job
             !std::isfinite(light.range + light.innerConeAngle + light.outerConeAngle))
             return wrong("a point or spot light is not finite.");
         out.punctual_.push_back(light);
+    }
+    for (const AreaLight& light : lighting.area) {
+        if (!isFinite(light.position) || !isFinite(light.luminance) || !isFinite(light.halfX) ||
+            !isFinite(light.halfY) ||
+            !std::isfinite(light.radius + light.range + light.shadowNear))
+            return wrong("an area light is not finite.");
+        out.area_.push_back(light);
     }
     if (!isFinite(lighting.ambientSky) || !isFinite(lighting.ambientGround) ||
         !std::isfinite(lighting.environmentRotation + lighting.environmentIntensity))

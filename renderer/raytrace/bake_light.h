@@ -12,10 +12,11 @@ namespace rushlight {
 
 /// What shines into a baked scene. Spans are read while a BakeLight is made.
 struct BakeLighting {
-    std::span<const DirectionalLight> directional;
-    std::span<const PunctualLight> punctual;
+    std::span<const DirectionalLight> directional = {};
+    std::span<const PunctualLight> punctual = {};
+    std::span<const AreaLight> area = {};
     const LightPatternSet* patterns = nullptr;  ///< of those; must outlive the BakeLight; null: none has any
-    EnvironmentDesc environment;  ///< no pixels: the hemisphere below
+    EnvironmentDesc environment = {};  ///< no pixels: the hemisphere below
     float environmentRotation = 0;
     float environmentIntensity = 1;
     vec3 ambientSky{0}, ambientGround{0};  ///< as in Lighting
@@ -38,6 +39,7 @@ public:
 
     std::span<const DirectionalLight> suns() const { return suns_; }
     std::span<const PunctualLight> punctual() const { return punctual_; }
+    std::span<const AreaLight> area() const { return area_; }
     /// The factor of a light's profile and cookie.
     vec3 pattern(const PunctualLight& light, const vec3& direction) const {
         return patterns_ && (light.profile || light.cookie) ? patterns_->factor(light, direction) : vec3(1);
@@ -55,6 +57,7 @@ private:
 
     std::vector<DirectionalLight> suns_;  // directions of unit length
     std::vector<PunctualLight> punctual_;
+    std::vector<AreaLight> area_;
     const LightPatternSet* patterns_ = nullptr;
     uint32_t width_ = 0, height_ = 0;  // of the table, equirectangular
     std::vector<vec3> radiance_;

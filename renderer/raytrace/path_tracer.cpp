@@ -2,6 +2,7 @@
 
 #include "interop/brdf.h"
 #include "renderer/frame/vertex_packing.h"
+#include "renderer/raytrace/area_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ vec3 cosineDirection(const vec3& normal, RayRandom& random) {
 
 }  // namespace
 
-// Irradiance of suns, point and spot lights.
+// Irradiance of suns, point, spot and area lights.
 vec3 PathTracer::lampLight(const Surface& s, RayRandom& random) const {
     vec3 sum(0);
     for (const DirectionalLight& sun : light_.suns()) {
@@ -50,7 +51,7 @@ vec3 PathTracer::lampLight(const Surface& s, RayRandom& random) const {
         const vec3 share = sun.castsShadow ? scene_.transmittance({s.origin, -sun.direction}) : vec3(1);
         sum += sun.illuminance * cosine * share;
     }
-    return sum + punctualLight(s, random);
+    return sum + punctualLight(s, random) + areaLight(s, random);
 }
 
 // Irradiance of all lamps, by one shadow ray: a light is drawn by what it would give if nothing were in between.
@@ -86,6 +87,39 @@ vec3 PathTracer::punctualLight(const Surface& s, RayRandom& random) const {
            scene_.transmittance({s.origin, towards, 0, distance * 0.9999f});
 }
 
+// As punctualLight: of a point on each light one is drawn by what it would give.
+vec3 PathTracer::areaLight(const Surface& s, RayRandom& random) const {
+    float total = 0, chosenWeight = 0;
+    vec3 chosen(0);
+    Ray ray;
+    bool casts = false;
+    for (const AreaLight& light : light_.area()) {
+        const AreaSample sample = sampleAreaLight(light, s.origin, random);
+        const vec3 irradiance =
+            sample.light * std::max(glm::dot(s.normal, sample.direction), 0.0f);
+        const float weight = luminance(irradiance);
+        if (!(weight > 0)) continue;
+        total += weight;
+        if (random.next() * total > weight) continue;
+        chosen = irradiance;
+        chosenWeight = weight;
+        ray = {s.origin, sample.direction, 0, sample.distance};
+        casts = light.castsShadow;
+    }
+    if (!(chosenWeight > 0)) return vec3(0);
+    const vec3 share = casts && ray.farthest > 0 ? scene_.transmittance(ray) : vec3(1);
+    return chosen * (total / chosenWeight) * share;
+}
+
+// What stands for an area light shines already as that light.
+vec3 PathTracer::glow(const RaySurface& surface, const vec3& position, const vec3& direction) const {
+    const vec3 color = surface.unlit ? surface.baseColor : surface.emissive;
+    if (color == vec3(0)) return color;
+    for (const AreaLight& light : light_.area())
+        if (standsFor(light, position, direction)) return vec3(0);
+    return color;
+}
+
 vec3 PathTracer::skyLight(const Surface& s, RayRandom& random) const {
     const SkySample sky = light_.sampleSky(random);
     if (!(sky.density > 0)) return vec3(0);
@@ -109,7 +143,7 @@ vec3 PathTracer::radiance(const vec3& origin, const vec3& direction, float densi
         throughput *= scene_.colorBetween({ray.origin, ray.direction, ray.nearest, hit.distance});
         const RaySurface surface = scene_.surface(hit);
         if (!hit.front && !surface.doubleSided) return sum;
-        sum += throughput * (surface.unlit ? surface.baseColor : surface.emissive);
+        sum += throughput * glow(surface, hit.position, ray.direction);
         if (surface.unlit) return sum;
 
         Surface s;

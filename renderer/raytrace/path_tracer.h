@@ -30,6 +30,8 @@ private:
     struct Surface;
     vec3 lampLight(const Surface& surface, RayRandom& random) const;
     vec3 punctualLight(const Surface& surface, RayRandom& random) const;
+    vec3 areaLight(const Surface& surface, RayRandom& random) const;
+    vec3 glow(const RaySurface& surface, const vec3& position, const vec3& direction) const;
     vec3 skyLight(const Surface& surface, RayRandom& random) const;
 
     const RayScene& scene_;

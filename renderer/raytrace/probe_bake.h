@@ -1,7 +1,8 @@
 #pragma once
-// Fills irradiance probes by tracing paths. What a probe holds is all light but that of the suns and of point and spot
-// lights on the surface that is looked at: light of the sky, of glowing surfaces, and of every light after its first
-// bounce. The frame adds the rest, with its own shadows.
+// Fills irradiance probes by tracing paths. What a probe holds is all light but that of the suns and of point, spot and
+// area lights on the surface that is looked at: light of the sky, of glowing surfaces but those that stand for an area
+// light, and of every light after its first bounce. The frame adds the rest, with its own shadows. Point and spot lights
+// always cast shadows here, suns and area lights where they are said to.
 
 #include "renderer/frame/irradiance_volume.h"
 #include "renderer/raytrace/path_tracer.h"

@@ -227,6 +227,7 @@ BakeLighting RenderSetup::bakeLighting() const {
     BakeLighting lighting;
     lighting.directional = from.directional;
     lighting.punctual = from.punctual;
+    lighting.area = from.area;
     lighting.patterns = &bridge_->lightPatterns();
     lighting.environment = {"environment", environmentSize_.x, environmentSize_.y,
                             environmentPixels_};

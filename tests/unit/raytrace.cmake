@@ -1,6 +1,7 @@
 # Rays through scenes, and what is baked by them.
 find_package(Threads REQUIRED)
 add_executable(raytrace_test
+  baked_area_lights_test.cpp
   irradiance_volume_test.cpp
   light_patterns_test.cpp
   probe_bake_test.cpp
