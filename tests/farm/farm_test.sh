@@ -19,13 +19,13 @@ fail() {
     exit 1
 }
 
-# Waits at most 40 s for a command, called $1 in the message.
+# Waits at most 100 s for a command, called $1 in the message.
 await() {
     what=$1 tries=0
     shift
     until "$@"; do
         tries=$((tries + 1))
-        [ "$tries" -lt 400 ] || fail "$what: not in 40 s"
+        [ "$tries" -lt 1000 ] || fail "$what: not in 100 s"
         sleep 0.1
     done
 }
