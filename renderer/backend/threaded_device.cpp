@@ -16,6 +16,10 @@ tl::unexpected<Error> wrongUse(const char* message) {
 ThreadedDevice::ThreadedDevice(std::unique_ptr<Device> device, uint32_t frames)
     : device_(std::move(device)), maxPending_(frames) {
     RL_CHECK(frames > 0, "at least one frame is in flight");
+    // Twice what waits, before push() moves it to the front: however late the serving thread is, a warm frame allocates
+    // nothing.
+    constexpr size_t kOtherJobs = 16;
+    jobs_.reserve(2 * (frames + kOtherJobs));
 }
 
 // ---- the serving thread ------------------------------------------------------------------------------------------

@@ -45,8 +45,14 @@ renderdoc)
     need xvfb-run xvfb
     "$python" -c "import renderdoc" 2>/dev/null ||
         skip "RenderDoc's Python module is not installed (Debian's package python3-renderdoc)"
-    "$display" "$python" "$source/tests/gl/renderdoc_frame.py" "$tool" "$scene" "$work" ||
-        fail "see above"
+    # RenderDoc's own crashes (a code over 128) are not ours: seen once in some twenty runs.
+    tries=0 code=255
+    while [ "$code" -gt 128 ] && [ "$tries" -lt 3 ]; do
+        tries=$((tries + 1)) code=0
+        "$display" "$python" "$source/tests/gl/renderdoc_frame.py" "$tool" "$scene" "$work" || code=$?
+    done
+    [ "$code" -le 128 ] || skip "RenderDoc crashed $tries times (code $code)"
+    [ "$code" -eq 0 ] || fail "see above"
     "$display" "$tool" view "$scene" --size 160x90 --frames 3 --screenshot frame.png > log.txt 2>&1 ||
         { cat log.txt; fail "the screenshot"; }
     "$tool" compare frame.png replayed.png --max-error 0 || fail "RenderDoc shows another picture"

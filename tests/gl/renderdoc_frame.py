@@ -112,3 +112,6 @@ def main(tool, scene, folder):
 
 if __name__ == "__main__":
     main(*sys.argv[1:4])
+    # RenderDoc's threads may crash in the interpreter's end.
+    sys.stdout.flush()
+    os._exit(0)
