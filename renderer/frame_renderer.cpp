@@ -224,7 +224,9 @@ Result<void> FrameRenderer::planPasses(const FrameInput& input, const FrameOutpu
     }
     LightingPass::Inputs lightingInputs{*gbuffer,   *lighting, *ambient, local.tint,
                                               local.flow, sky,       width,    height};
-    lightingInputs.contactShadows = contactShadows(input);
+    const ContactShadows contact = input.settings.contactShadows;
+    lightingInputs.sunContact = contact != ContactShadows::off && sun_ >= 0;
+    lightingInputs.lightContact = contact == ContactShadows::lights && lighting->features.punctualShadow;
     lightingInputs.part = lightingPartOf(show);
     const auto lit = lightingPass_.add(plan_, lightingInputs);
     if (!lit) return tl::unexpected(lit.error());

@@ -94,15 +94,11 @@ private:
     Result<void> addSunGlassPass(const FrameInput&, LightingBindings&);
     Result<void> addLightGlassPass(LightingBindings&);
     Result<void> planPasses(const FrameInput&, const FrameOutput&, const CameraMatrices&);
-    /// Whether the frame has them.
-    bool contactShadows(const FrameInput& input) const {
-        return input.settings.contactShadows && input.settings.shadows && sun_ >= 0;
-    }
     Result<LightingBindings> bindLighting(const FrameInput&, const CameraMatrices&,
                                           const FrameOutput&);
     DecalBindings bindDecals(const FrameInput&, const FrameOutput&, const CameraMatrices&,
                              interop::ViewUniforms&);
-    /// Fog over the lit scene; a null image without.
+    /// Fog over the lit scene; a null image without. Where the fog is shown: that, over black.
     Result<ImageId> planFog(const FrameInput&, const LightingBindings&, ImageId radiance,
                             ImageId depth);
     /// The image that an HDR capture reads back.

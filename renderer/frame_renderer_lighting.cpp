@@ -1,5 +1,4 @@
 // From the lights of a frame to what the lighting shaders read.
-#include "renderer/frame/contact_shadows.h"
 #include "renderer/frame/lighting_setup.h"
 #include "renderer/frame_renderer.h"
 
@@ -39,10 +38,9 @@ Result<LightingBindings> FrameRenderer::bindLighting(const FrameInput& input,
     interop::LightingUniforms u = makeLightingUniforms(camera, lighting, sun_, clusters_, cascades_,
                                                        environment, volume);
     fogGrid_ = makeFogGrid(lighting.fog, camera, output.target.width, output.target.height);
-    if (lighting.fog.density > 0) fillFog(lighting.fog, fogGrid_, camera, u);
-    if (contactShadows(input))
-        fillContactShadows(camera, output.target.width, output.target.height,
-                           vec3(u.directionalDirections[0]), input.settings.contactShadowLength, u);
+    if (lighting.fog.density > 0 || input.settings.show == ShownImage::fog)
+        fillFog(lighting.fog, fogGrid_, camera, u);
+    u.depthDecode.z = input.settings.contactShadowLength;
     b.uniforms = uniforms(u);
     if (b.features.clusteredLights()) {
         b.lights = commands_.append(std::span<const GpuLight>(clusters_.lights));
@@ -103,15 +101,18 @@ DecalBindings FrameRenderer::bindDecals(const FrameInput& input, const FrameOutp
 
 Result<ImageId> FrameRenderer::planFog(const FrameInput& input, const LightingBindings& lighting,
                                        ImageId radiance, ImageId depth) {
-    if (!(input.lighting.fog.density > 0)) return ImageId{};
+    const bool alone = input.settings.show == ShownImage::fog;
+    if (!alone && !(input.lighting.fog.density > 0)) return ImageId{};
     LightingBindings around = lighting;
     around.features.reflectionProbes = false;  // air mirrors nothing
     const auto fog = fogPass_.add(plan_, {around, fogGrid_});
     if (!fog) return tl::unexpected(fog.error());
-    const auto applied = fogPass_.apply(
-        plan_, {fog->fog, radiance, depth, lighting.uniforms, lighting.features.orthographic});
+    if (alone)
+        radiance = plan_.createImage({"fog-alone", Format::rgba16f, fogGrid_.width, fogGrid_.height});
+    const auto applied = fogPass_.apply(plan_, {fog->fog, radiance, depth, lighting.uniforms, alone,
+                                                lighting.features.orthographic});
     if (!applied) return tl::unexpected(applied.error());
-    return fog->fog;
+    return alone ? radiance : fog->fog;
 }
 
 }  // namespace rushlight

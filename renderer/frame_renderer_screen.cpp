@@ -58,7 +58,7 @@ Result<ImageId> FrameRenderer::planOverLighting(const FrameInput& input,
     const auto mirrored = planReflections(input, camera, lit, radiance);
     if (!mirrored || show == ShownImage::reflections) return mirrored;
     const auto fog = planFog(input, lit.lighting, radiance, lit.gbuffer.depth);
-    if (!fog) return tl::unexpected(fog.error());
+    if (!fog || show == ShownImage::fog) return fog;
     ForwardPass::Inputs in{&lists_.blended, &lists_.movingEmission, {&geometry, &materials},
                            viewUniforms, lit.lighting, radiance, lit.gbuffer.depth, onSurfaces, *fog};
     const auto forward = forwardPass_.add(plan_, in);

@@ -5,6 +5,8 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include <cmath>
+
 namespace rushlight {
 
 using glm::ivec2;
@@ -32,6 +34,16 @@ inline vec3 transformPoint(const mat4x3& m, const vec3& p) {
 /// Applies an affine transform to a direction (no translation, not normalised).
 inline vec3 transformVector(const mat4x3& m, const vec3& v) {
     return m[0] * v.x + m[1] * v.y + m[2] * v.z;
+}
+
+inline bool isFinite(const vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+inline bool isFinite(const mat4& m) {
+    for (int c = 0; c < 4; ++c)
+        if (!isFinite(vec3(m[c])) || !std::isfinite(m[c].w)) return false;
+    return true;
 }
 
 }  // namespace rushlight

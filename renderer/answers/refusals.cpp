@@ -6,13 +6,6 @@
 namespace rushlight {
 namespace {
 
-bool isFinite(const mat4& m) {
-    for (int c = 0; c < 4; ++c)
-        for (int r = 0; r < 4; ++r)
-            if (!std::isfinite(m[c][r])) return false;
-    return true;
-}
-
 bool judgeMatrix(Judgement& j) {
     const mat4& m = j.input.view.viewFromWorld;
     if (!isFinite(m)) {

@@ -16,6 +16,13 @@ enum class ShadowFilter : uint8_t {
 /// How finely the surroundings of a pixel are searched for what hides the ambient light: 8, 12 or 48 places.
 enum class AmbientOcclusion : uint8_t { off, low, medium, high };
 
+/// Whose shadows have detail from the screen.
+enum class ContactShadows : uint8_t {
+    off,
+    sun,    ///< the first sun that casts shadows
+    lights  ///< and each point and spot light that has a shadow
+};
+
 /// What the last pass shows instead of the frame, for looking into it. In the deck's order.
 enum class ShownImage : uint8_t {
     frame,
@@ -39,6 +46,7 @@ enum class ShownImage : uint8_t {
     emission,      ///< HDR: what glows by itself: emissive and unlit surfaces, and the background
     lighting,  ///< HDR after deferred lighting, before forward: direct + ambient * ambientShare + emission
     reflections,  ///< HDR: what surfaces mirror of the screen
+    fog,          ///< HDR: the light that the air scatters, before black; alpha is the share that it covers
     forward,   ///< HDR after forward
     bloom,
     tonemap,  ///< before anti-aliasing
@@ -56,9 +64,9 @@ struct FrameSettings {
     uint32_t shadowAtlasSize = 4096;  ///< texels a side of the map that those lights share; 256 to 16,384, rounded down to 2^n
     uint32_t shadowTileSize = 1024;   ///< the most texels a side of a light's face; 64 to shadowAtlasSize, rounded down to 2^n
     ShadowFilter shadowFilter = ShadowFilter::pcf;
-    /// Detail that is too fine for the shadow map shadows what is next to it, as far as the screen shows it: the first sun
-    /// that casts shadows, on opaque surfaces.
-    bool contactShadows = false;
+    /// Detail that is too fine for the shadow maps shadows what is next to it, as far as the screen shows it. On opaque
+    /// surfaces: blended ones stand on nothing that the depth buffer knows.
+    ContactShadows contactShadows = ContactShadows::off;
     float contactShadowLength = 0.3f;  ///< metres, over 0: fading out over the last third
     /// Surfaces hide ambient light from each other, as far as the screen shows it. Of opaque surfaces; costs nothing
     /// where a frame has no ambient light.

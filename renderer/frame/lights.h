@@ -10,7 +10,7 @@ namespace rushlight {
 struct DirectionalLight {
     vec3 direction{0, -1, 0};  ///< unit, world space, the way the light travels
     vec3 illuminance{1};       ///< lux times colour
-    bool castsShadow = true;
+    bool castsShadow = true;  ///< in frames; in baked light all lights do
     float angularRadius = 0.00465f;  ///< radians, half of what its disk spans, for soft shadows; the sun's
 };
 

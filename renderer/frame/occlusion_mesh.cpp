@@ -8,8 +8,6 @@
 namespace rushlight {
 namespace {
 
-bool isFinite(const vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 /// The number of each position's vertex after welding; kNone for what is not finite.
 std::vector<uint32_t> weld(std::span<const vec3> positions, OccluderMesh& mesh) {
     std::vector<uint32_t> order;

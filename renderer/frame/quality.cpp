@@ -41,7 +41,7 @@ FrameSettings ultra() {
     s.shadowFilter = ShadowFilter::soft;
     s.ambientOcclusion = AmbientOcclusion::high;
     s.reflections = true;
-    s.contactShadows = true;
+    s.contactShadows = ContactShadows::lights;
     s.lodPixelError = s.shadowLodTexelError = 0.1f;
     return s;
 }

@@ -9,7 +9,7 @@ const char* toText(ShownImage image) {
                                       "velocity",  "depth",    "overdraw",  "shadow",
                                       "clusters",  "ao",       "untextured", "direct",
                                       "ambient",   "ambient-share", "emission", "lighting",
-                                      "reflections", "forward", "bloom",    "tonemap"};
+                                      "reflections", "fog",     "forward", "bloom",    "tonemap"};
     static_assert(std::size(kNames) == size_t(ShownImage::count));
     return image < ShownImage::count ? kNames[size_t(image)] : "?";
 }

@@ -1,5 +1,6 @@
 #include "renderer/frame/sky.h"
 
+#include "interop/tonemap.h"
 #include "renderer/frame/atmosphere.h"
 #include "renderer/frame/equirect.h"
 
@@ -44,7 +45,6 @@ float hazeOf(float turbidity) {
     return (turbidity - 1) * molecules / haze;
 }
 
-float luminance(const vec3& rgb) { return glm::dot(rgb, vec3(0.2126f, 0.7152f, 0.0722f)); }
 
 }  // namespace
 
@@ -83,8 +83,8 @@ Result<Sky> makeSky(const SkyDesc& desc, JobSystem& jobs) {
     sky.sun.direction = -sun;
     sky.sun.illuminance = through * (kSolarIlluminance * shown);
     sky.sunRadiance = through * (kSolarIlluminance / (kPi * kSunAngularRadius * kSunAngularRadius));
-    const float lux = luminance(sky.skyIlluminance) +
-                      luminance(sky.sun.illuminance) * std::max(sun.y, 0.0f);
+    const float lux = interop::luminance(sky.skyIlluminance) +
+                      interop::luminance(sky.sun.illuminance) * std::max(sun.y, 0.0f);
     sky.exposureValue = std::log2(std::max(lux, 1e-3f) / kLuxAtEv0);
     return sky;
 }

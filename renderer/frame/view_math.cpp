@@ -3,17 +3,6 @@
 #include <cmath>
 
 namespace rushlight {
-namespace {
-
-bool isFinite(const mat4& m) {
-    for (int c = 0; c < 4; ++c)
-        for (int r = 0; r < 4; ++r)
-            if (!std::isfinite(m[c][r])) return false;
-    return true;
-}
-
-}  // namespace
-
 mat4 reversedPerspective(float tanHalfX, float tanHalfY, float nearPlane, float farPlane) {
     mat4 m(0.0f);
     m[0][0] = 1 / tanHalfX;

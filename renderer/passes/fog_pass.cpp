@@ -124,7 +124,7 @@ Result<FogPass::Outputs> FogPass::add(FramePlan& plan, const Inputs& inputs) {
 Result<void> FogPass::apply(FramePlan& plan, const Target& target) {
     const auto pipeline = findApply(target.orthographic);
     if (!pipeline) return tl::unexpected(pipeline.error());
-    const PassTargets::Color colors[] = {{target.radiance, LoadOp::keep}};
+    const PassTargets::Color colors[] = {{target.radiance, target.clear ? LoadOp::clear : LoadOp::keep}};
     const ImageId reads[] = {target.fog, target.depth};
     PassTargets targets;
     targets.colors = colors;

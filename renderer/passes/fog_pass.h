@@ -21,6 +21,7 @@ public:
         ImageId radiance;  ///< covered with fog
         ImageId depth;
         BufferRange uniforms;  ///< interop::LightingUniforms
+        bool clear = false;    ///< the radiance was nothing before
         bool orthographic = false;
     };
 

@@ -159,16 +159,18 @@ LightingPass::LightingPass(Device& device)
 // nothing is: rejected by depth, pixels cost nothing, while a branch in the shader would save nothing on llvmpipe.
 Result<LightingPass::Entry> LightingPass::find(const Inputs& inputs) {
     Entry entry{inputs.lighting.features, bool(inputs.ambientOcclusion), inputs.showSky,
-                inputs.contactShadows, inputs.part, {}, {}};
+                inputs.sunContact, inputs.lightContact, inputs.part, {}, {}};
     for (const Entry& known : entries_)
         if (known.features == entry.features && known.showSky == entry.showSky &&
             known.ambientOcclusion == entry.ambientOcclusion &&
-            known.contactShadows == entry.contactShadows && known.part == entry.part)
+            known.sunContact == entry.sunContact && known.lightContact == entry.lightContact &&
+            known.part == entry.part)
             return known;
     std::vector<std::string_view> defines;
     entry.features.appendDefines(defines);
     if (entry.ambientOcclusion) defines.push_back("AMBIENT_OCCLUSION");
-    if (entry.contactShadows) defines.push_back("CONTACT_SHADOWS");
+    if (entry.sunContact) defines.push_back("SUN_CONTACT");
+    if (entry.lightContact) defines.push_back("LIGHT_CONTACT");
     if (entry.part != LightingPart::all) {
         defines.push_back("LIGHTING_PART");
         defines.push_back(kPartDefines[size_t(entry.part)]);

@@ -92,7 +92,8 @@ public:
         ImageId localTint, localFlow;  ///< of IrradiancePass; with an irradiance volume
         bool showSky = false;
         uint32_t width = 0, height = 0;
-        bool contactShadows = false;  ///< of the first directional light, which casts
+        bool sunContact = false;    ///< contact shadows of the first directional light, which casts
+        bool lightContact = false;  ///< and of lights with a shadow record
         LightingPart part = LightingPart::all;
     };
     struct Outputs {
@@ -105,7 +106,7 @@ public:
 private:
     struct Entry {
         LightingFeatures features;
-        bool ambientOcclusion, showSky, contactShadows;
+        bool ambientOcclusion, showSky, sunContact, lightContact;
         LightingPart part;
         PipelineHandle lighting, background;
     };

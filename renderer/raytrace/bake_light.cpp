@@ -1,6 +1,7 @@
 #include "renderer/raytrace/bake_light.h"
 
 #include "engine/core/hash.h"
+#include "interop/tonemap.h"
 #include "renderer/frame/equirect.h"
 
 #include <algorithm>
@@ -11,9 +12,6 @@ namespace {
 
 constexpr uint32_t kTableWidth = 128;
 
-bool isFinite(const vec3& v) { return std::isfinite(v.x + v.y + v.z); }
-
-float luminance(const vec3& c) { return glm::dot(c, vec3(0.2126f, 0.7152f, 0.0722f)); }
 
 /// The radiance whose irradiance over pi is mix(ground, sky, n.y / 2 + 1/2), as the shaders have it, where it can be.
 vec3 hemisphere(const vec3& sky, const vec3& ground, float y) {
@@ -28,7 +26,6 @@ uint64_t hashOf(const BakeLighting& lighting) {
     for (const DirectionalLight& light : lighting.directional) {
         add(light.direction);
         add(light.illuminance);
-        add(uint8_t(light.castsShadow));
     }
     for (const PunctualLight& light : lighting.punctual) {
         add(light.position);
@@ -54,7 +51,6 @@ uint64_t hashOf(const BakeLighting& lighting) {
         add(light.luminance);
         add(uint8_t(light.twoSided));
         add(light.range);
-        add(uint8_t(light.castsShadow));
         add(light.shadowNear);
     }
     const EnvironmentDesc& env = lighting.environment;
@@ -125,7 +121,7 @@ void BakeLight::makeTable(const BakeLighting& lighting, JobSystem& jobs) {
     double total = 0;
     std::vector<double> sums;
     for (uint32_t i = 0; i < radiance_.size(); ++i) {
-        total += double(luminance(radiance_[i])) *
+        total += double(interop::luminance(radiance_[i])) *
                  double(equirectTexelSolidAngle(i / width_, width_, height_));
         sums.push_back(total);
     }
@@ -135,7 +131,7 @@ void BakeLight::makeTable(const BakeLighting& lighting, JobSystem& jobs) {
     }
     for (uint32_t i = 0; i < radiance_.size(); ++i) {
         cumulative_.push_back(float(sums[i] / total));
-        density_.push_back(float(double(luminance(radiance_[i])) / total));
+        density_.push_back(float(double(interop::luminance(radiance_[i])) / total));
     }
 }
 

@@ -1,6 +1,7 @@
 #include "renderer/raytrace/path_tracer.h"
 
 #include "interop/brdf.h"
+#include "interop/tonemap.h"
 #include "renderer/frame/vertex_packing.h"
 #include "renderer/raytrace/area_sampling.h"
 
@@ -22,7 +23,6 @@ namespace {
 constexpr uint32_t kSureBounces = 2;     // before paths may end by chance
 constexpr float kMostSurvival = 0.95f;
 
-float luminance(const vec3& c) { return glm::dot(c, vec3(0.2126f, 0.7152f, 0.0722f)); }
 
 vec3 hemisphericalAlbedo(const RaySurface& s, float nDotV, const BrdfTable& table) {
     const vec3 f0 = glm::mix(vec3(interop::kDielectricF0), s.baseColor, s.metallic);
@@ -48,8 +48,7 @@ vec3 PathTracer::lampLight(const Surface& s, RayRandom& random) const {
     for (const DirectionalLight& sun : light_.suns()) {
         const float cosine = -glm::dot(s.normal, sun.direction);
         if (cosine <= 0) continue;
-        const vec3 share = sun.castsShadow ? scene_.transmittance({s.origin, -sun.direction}) : vec3(1);
-        sum += sun.illuminance * cosine * share;
+        sum += sun.illuminance * cosine * scene_.transmittance({s.origin, -sun.direction});
     }
     return sum + punctualLight(s, random) + areaLight(s, random);
 }
@@ -73,7 +72,7 @@ vec3 PathTracer::punctualLight(const Surface& s, RayRandom& random) const {
                 -glm::dot(l, light.direction),
                 interop::spotScaleOffset(light.innerConeAngle, light.outerConeAngle));
         const vec3 irradiance = light.intensity * light_.pattern(light, -l) * (attenuation * cosine);
-        const float weight = luminance(irradiance);
+        const float weight = interop::luminance(irradiance);
         if (!(weight > 0)) continue;
         total += weight;
         if (random.next() * total > weight) continue;
@@ -92,22 +91,20 @@ vec3 PathTracer::areaLight(const Surface& s, RayRandom& random) const {
     float total = 0, chosenWeight = 0;
     vec3 chosen(0);
     Ray ray;
-    bool casts = false;
     for (const AreaLight& light : light_.area()) {
         const AreaSample sample = sampleAreaLight(light, s.origin, random);
         const vec3 irradiance =
             sample.light * std::max(glm::dot(s.normal, sample.direction), 0.0f);
-        const float weight = luminance(irradiance);
+        const float weight = interop::luminance(irradiance);
         if (!(weight > 0)) continue;
         total += weight;
         if (random.next() * total > weight) continue;
         chosen = irradiance;
         chosenWeight = weight;
         ray = {s.origin, sample.direction, 0, sample.distance};
-        casts = light.castsShadow;
     }
     if (!(chosenWeight > 0)) return vec3(0);
-    const vec3 share = casts && ray.farthest > 0 ? scene_.transmittance(ray) : vec3(1);
+    const vec3 share = ray.farthest > 0 ? scene_.transmittance(ray) : vec3(1);
     return chosen * (total / chosenWeight) * share;
 }
 

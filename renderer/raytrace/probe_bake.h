@@ -1,8 +1,8 @@
 #pragma once
 // Fills irradiance probes by tracing paths. What a probe holds is all light but that of the suns and of point, spot and
 // area lights on the surface that is looked at: light of the sky, of glowing surfaces but those that stand for an area
-// light, and of every light after its first bounce. The frame adds the rest, with its own shadows. Point and spot lights
-// always cast shadows here, suns and area lights where they are said to.
+// light, and of every light after its first bounce. The frame adds the rest, with its own shadows. All lights cast
+// shadows here, whatever their castsShadow says: it saves a frame shadow maps, and rays none.
 
 #include "renderer/frame/irradiance_volume.h"
 #include "renderer/raytrace/path_tracer.h"

@@ -205,8 +205,12 @@ void addQualityOptions(CLI::App& app, RenderOptions& o) {
            [&o, filters](const std::string& text) { o.shadowFilter = filters.at(text); },
            "Edges of shadows: sharp, filtered, or softer with distance")
         ->check(CLI::IsMember(filters));
-    addSwitch(app, "--contact-shadows", o.contactShadows,
-              "Detail finer than shadow maps shadows what is next to it");
+    addChoice<std::optional<ContactShadows>>(
+        app, "--contact-shadows", o.contactShadows,
+        {{"off", ContactShadows::off},
+         {"sun", ContactShadows::sun},
+         {"on", ContactShadows::lights}},
+        "Detail finer than shadow maps shadows what is next to it: of the sun, or (on) of lamps too");
     addChoice<std::optional<AmbientOcclusion>>(
         app, "--ao", o.ambientOcclusion,
         {{"off", AmbientOcclusion::off},

@@ -75,7 +75,7 @@ struct RenderOptions {
     std::optional<AmbientOcclusion> ambientOcclusion;
     std::optional<float> ambientOcclusionRadius;
     std::optional<bool> reflections;
-    std::optional<bool> contactShadows;
+    std::optional<ContactShadows> contactShadows;
     std::optional<bool> bloom;
     std::optional<bool> dither;
     std::optional<AntiAliasing> antiAliasing;

@@ -92,6 +92,13 @@ void comboAmbientOcclusion(FrameSettings& settings) {
                            ImGuiSliderFlags_Logarithmic);
 }
 
+void comboContactShadows(FrameSettings& settings) {
+    constexpr const char* kNames[] = {"off", "sun", "sun and lamps"};
+    int current = int(settings.contactShadows);
+    if (ImGui::Combo("contact shadows", &current, kNames, IM_ARRAYSIZE(kNames)))
+        settings.contactShadows = ContactShadows(current);
+}
+
 void comboShadowFilter(FrameSettings& settings) {
     constexpr const char* kNames[] = {"hard", "PCF", "soft"};
     int current = int(settings.shadowFilter);
@@ -147,7 +154,7 @@ void drawSettings(ViewerSettings& settings, CameraRig& camera) {
         ImGui::Checkbox("cache still shadows", &frame.shadowCaching);
         ImGui::Checkbox("shadows of lamps", &frame.lightShadows);
         comboShadowFilter(frame);
-        ImGui::Checkbox("contact shadows", &frame.contactShadows);
+        comboContactShadows(frame);
         comboAmbientOcclusion(frame);
         ImGui::Checkbox("reflections of the screen", &frame.reflections);
         ImGui::Checkbox("bloom", &frame.bloom);

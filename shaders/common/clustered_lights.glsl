@@ -83,14 +83,23 @@ vec3 clusteredLight(LitSurface s, vec2 pixel) {
     count = int(others & 1023u);
 #endif
 #if defined(MODULATED_LIGHTS)
+#if defined(LIGHT_CONTACT)
+    ContactScreen screen = contactScreen();
+#endif
     for (int i = 0; i < count; ++i) {
         LightSample light = sampleLight(first + i, s);
         // x: shadow record, y: the source's radius, zw: profile and cookie
         vec4 modulation = texelFetch(lightTexels, light.texel + 3);
 #if defined(PUNCTUAL_SHADOW)
-        if (modulation.x >= 0.0)
-            shadowLight(light, punctualVisibility(int(modulation.x), s, light.direction,
-                                                  sqrt(light.distanceSquared)));
+        if (modulation.x >= 0.0) {
+            float distance = sqrt(light.distanceSquared);
+            shadowLight(light, punctualVisibility(int(modulation.x), s, light.direction, distance));
+#if defined(LIGHT_CONTACT)
+            // not as far as the light itself: what it stands in casts nothing
+            float reach = min(L_CONTACT_LENGTH, 0.8 * distance);
+            shadowLight(light, contactVisibility(s, screen, light.direction, reach));
+#endif
+        }
 #endif
 #if defined(LIGHT_PATTERNS)
         light.intensity *= lightPattern(light, modulation, footprint);

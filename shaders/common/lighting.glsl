@@ -11,7 +11,7 @@
 #if defined(SUN_SHADOW)
 #include "common/sun_shadow.glsl"
 #endif
-#if defined(CONTACT_SHADOWS)
+#if defined(SUN_CONTACT) || defined(LIGHT_CONTACT)
 #include "common/contact_shadow.glsl"
 #endif
 #if defined(PUNCTUAL_SHADOW) || defined(AREA_SHADOW) || defined(SHADOWED_SUNS)
@@ -48,8 +48,8 @@ vec3 directionalLight(LitSurface s) {
 #if defined(SUN_SHADOW)
         light *= sunVisibility(s, l);
 #endif
-#if defined(CONTACT_SHADOWS)
-        light *= contactVisibility(s, l);
+#if defined(SUN_CONTACT)
+        light *= contactVisibility(s, contactScreen(), l, L_CONTACT_LENGTH);
 #endif
         sum += light;
     }

@@ -107,8 +107,8 @@ void writeLightingVaryings(vec2 uv) {
 #define L_SHADOW_SOFTNESS flatShadowSoftness
 #define L_SHADOW_ROW(i) flatShadowRows[i]
 #define L_SHADOW_CASCADE(i) flatShadowCascades[i]
-#define L_CONTACT_RAY vec3(flatDepthDecode.zw, flatViewDirection.w)
-#define L_CONTACT_LENGTH flatDirections[0].w
+#define L_CONTACT_LENGTH flatDepthDecode.z
+#define L_VIEW_DIRECTION flatViewDirection.xyz
 #define L_DIRECTION(i) flatDirections[i]
 #define L_ILLUMINANCE(i) flatIlluminances[i]
 #define L_CLUSTER_MAPPING flatClusterMapping

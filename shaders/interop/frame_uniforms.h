@@ -40,9 +40,9 @@ struct LightingUniforms {
     vec4 rayCorner, rayRight, rayUp;
     vec4 baseCorner, baseRight, baseUp;
     // x, y: perspective viewDepth = 1 / (depth * x + y), orthographic viewDepth = depth * x + y
-    // z, w: contact shadows: pixels times view depth (orthographic: pixels) that a metre towards the first sun is
+    // z: metres of contact shadows
     vec4 depthDecode;
-    vec4 viewDirection;  // xyz: where an orthographic camera looks; w: view depth that such a metre is
+    vec4 viewDirection;  // xyz: where the camera looks
     // slice = log2(viewDepth) * x + y; z: tiles in a row, w: tiles in a slice
     vec4 clusterMapping;
     vec4 clusterCounts;  // x, y, z: froxels along each axis; w: 1 / pixels along a tile's side
@@ -50,7 +50,7 @@ struct LightingUniforms {
     vec4 shadowCascades[RL_MAX_CASCADES];  // x: uv per metre, yz: uv offset, w: metres per texel
     vec4 shadowSettings;                   // x: depth per metre, y: texels of one, z: 1 / y, w: 1 / uv over which the last fades out
     vec4 shadowSoftness;  // x: metres of penumbra per depth between caster and surface
-    vec4 directionalDirections[RL_MAX_DIRECTIONAL_LIGHTS];    // xyz: towards the light; w of the first: metres of contact shadows
+    vec4 directionalDirections[RL_MAX_DIRECTIONAL_LIGHTS];    // xyz: towards the light
     vec4 directionalIlluminances[RL_MAX_DIRECTIONAL_LIGHTS];  // rgb: lux
     vec4 environment;     // x, y: cosine and sine of its rotation, z: intensity, w: last mip of the prefiltered cube
     vec4 ambientSky;      // rgb

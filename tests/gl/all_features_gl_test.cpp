@@ -106,9 +106,10 @@ TEST_F(AllFeaturesGl, GoTogether) {
             input.lighting.fog = {};
             input.decals = {};
             input.settings.ambientOcclusion = AmbientOcclusion::off;
-            input.settings.reflections = input.settings.contactShadows = false;
+            input.settings.reflections = false;
+            input.settings.contactShadows = ContactShadows::off;
             expectFinite("lights and shadows");
-            input.settings.contactShadows = true;
+            input.settings.contactShadows = ContactShadows::lights;
             expectFinite("contact shadows");
             input.settings.ambientOcclusion = AmbientOcclusion::high;
             expectFinite("ambient occlusion");

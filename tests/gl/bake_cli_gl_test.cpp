@@ -66,6 +66,30 @@ TEST_F(BakeCli, ACaptureUsesWhatLiesBesideTheSceneUnderTheSameLight) {
     EXPECT_TRUE(bytes("other.png") == bytes("open.png"));
 }
 
+TEST_F(BakeCli, ProbesBakedUnderOtherAreaLightsAreNotUsed) {
+    const std::string original = bytes("testcard.gltf"), node = "\"name\": \"card\",";
+    const size_t at = original.find(node);
+    ASSERT_NE(at, std::string::npos);
+    const auto shine = [&](const std::string& luminance) {
+        std::string scene = original;
+        scene.insert(at + node.size(), "\"extras\": {\"rushlight\": {\"areaLight\": {\"shape\": \"rectangle\", "
+                                       "\"size\": [2, 1], \"luminance\": " + luminance + "}}},");
+        std::ofstream(path("testcard.gltf"), std::ios::binary) << scene;
+    };
+    shine("10");
+    ASSERT_EQ(bake().code, 0);
+    const Ended same = capture("same.png");
+    EXPECT_EQ(same.code, 0);
+    EXPECT_EQ(same.errors, "");
+    const std::string dim = bytes("testcard.probes");
+    shine("20");
+    const Ended other = capture("other.png");
+    EXPECT_EQ(other.code, 0);
+    EXPECT_TRUE(other.errors.starts_with("rushlight: warning: ")) << other.errors;
+    ASSERT_EQ(bake().code, 0);
+    EXPECT_FALSE(bytes("testcard.probes") == dim);
+}
+
 TEST_F(BakeCli, ADamagedFileIsBadInput) {
     ASSERT_EQ(bake().code, 0);
     std::string damaged = bytes("testcard.probes");

@@ -68,7 +68,7 @@ TEST_F(BreakdownGlTest, LightInPartsAddsUp) {
     input.lighting.ambientSky = {0.5f, 0.7f, 1};
     input.lighting.ambientGround = {0.2f, 0.1f, 0.1f};
     input.settings.ambientOcclusion = AmbientOcclusion::high;
-    input.settings.contactShadows = true;
+    input.settings.contactShadows = ContactShadows::lights;
     input.instances = instances;
     for (const size_t lit : expectPartsAddUp(input)) EXPECT_GT(lit, 50u);
 

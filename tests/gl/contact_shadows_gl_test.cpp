@@ -32,7 +32,7 @@ protected:
         input.view.viewFromWorld = glm::lookAt(eye, target, vec3(0, 1, 0));
     }
     CapturedImage picture(bool contact) {
-        input.settings.contactShadows = contact;
+        input.settings.contactShadows = contact ? of : ContactShadows::off;
         return render();
     }
     /// A post of 2 cm, 20 cm high.
@@ -64,6 +64,7 @@ protected:
     }
 
     DirectionalLight sun;
+    ContactShadows of = ContactShadows::sun;
     MaterialHandle white_;
 };
 
@@ -126,11 +127,65 @@ TEST_F(ContactShadowsGl, FramesAgree) {
     EXPECT_LT(most / least, 1.15) << least << " to " << most;
 }
 
+/// A lamp 2 m up to the side, in faces of 64 texels: at the post 6 cm each.
+class LampContactShadowsGl : public ContactShadowsGl {
+protected:
+    void SetUp() override {
+        ContactShadowsGl::SetUp();
+        lamp.position = {-2, 2, 0};
+        lamp.intensity = vec3(30);
+        lamp.castsShadow = true;
+        input.lighting.directional = {};
+        input.lighting.punctual = {&lamp, 1};
+        input.settings.lightShadows = true;
+        input.settings.shadowTileSize = 64;
+        of = ContactShadows::lights;
+    }
+    PunctualLight lamp;
+};
+
+TEST_F(LampContactShadowsGl, AThinPostShadowsWhatTheMapMisses) {
+    addPost();
+    for (const bool perspective : {true, false}) {
+        input.view.perspective = perspective;
+        input.view.orthoHalfHeight = 0.6f;
+        input.view.farPlane = perspective ? 0.0f : 40.0f;
+        const CapturedImage without = picture(false), with = picture(true);
+        for (const float x : {0.03f, 0.06f, 0.1f}) {
+            EXPECT_LT(leftAt(without, with, x, 0), 0.2f) << x;
+            EXPECT_EQ(leftAt(without, with, -x, 0), 1) << x;
+            EXPECT_EQ(leftAt(without, with, x, 0.08f), 1) << x;
+        }
+        EXPECT_EQ(leftAt(without, with, 0.3f, 0), 1);
+    }
+}
+
+TEST_F(LampContactShadowsGl, AnOpenPlaneKeepsItsLight) {
+    for (const float up : {0.05f, 0.3f, 2.0f})
+        for (const float turn : {0.0f, 1.0f, 2.2f, 3.1416f, 4.5f}) {
+            look({0, 1.5f, 6}, {0, 0, 0});
+            lamp.position = {2 * std::cos(turn), up, 2 * std::sin(turn)};
+            EXPECT_EQ(picture(true).rgba32f, picture(false).rgba32f) << up << " " << turn;
+        }
+}
+
+TEST_F(LampContactShadowsGl, AreOfLightsThatHaveAShadow) {
+    addPost();
+    const CapturedImage with = picture(true);
+    of = ContactShadows::sun;
+    const CapturedImage without = picture(false);
+    EXPECT_EQ(picture(true).rgba32f, without.rgba32f);
+    EXPECT_NE(with.rgba32f, without.rgba32f);
+    of = ContactShadows::lights;
+    lamp.castsShadow = false;
+    EXPECT_EQ(picture(true).rgba32f, picture(false).rgba32f);
+}
+
 TEST_F(ContactShadowsGl, WithoutASunThatCastsNothingChanges) {
     addPost();
     sun.castsShadow = false;
     EXPECT_EQ(picture(true).rgba32f, picture(false).rgba32f);
-    input.settings.contactShadows = true;
+    input.settings.contactShadows = ContactShadows::sun;
     for (const float length : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN()}) {
         input.settings.contactShadowLength = length;
         EXPECT_FALSE(renderer->renderOffscreen(input, width, height, CaptureKind::hdr));

@@ -81,7 +81,7 @@ TEST_F(Explain, RandomPixelsOfTheSquareWithEverythingOnAddUp) {
     view.settings.lightShadows = true;
     view.settings.ambientOcclusion = AmbientOcclusion::medium;
     view.settings.reflections = true;
-    view.settings.contactShadows = true;
+    view.settings.contactShadows = ContactShadows::lights;
     view.settings.toneMap = ToneMap::aces;
     fog = 0.01f;
     explainScene(RUSHLIGHT_SOURCE "/content/square/square.gltf", view, 400,

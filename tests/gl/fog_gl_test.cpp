@@ -46,6 +46,23 @@ TEST_F(FogGl, AmbientFogFadesASurfaceByBeersLaw) {
     }
 }
 
+// What is shown and the share of what is behind that the air lets through make the frame.
+TEST_F(FogGl, CanBeShownAlone) {
+    input.lighting.ambientSky = input.lighting.ambientGround = {0.4f, 0.2f, 0.1f};
+    const vec3 wall(0.9f, 0.5f, 0.25f);
+    addBox({0, 0, -11}, {1000, 1000, 1}, glowing(wall));
+    const vec3 whole = centre();
+    input.settings.show = ShownImage::fog;
+    const CapturedImage alone = render();
+    const size_t middle = 4 * (size_t(kHeight / 2) * kWidth + kWidth / 2);
+    const float covered = alone.rgba32f[middle + 3];
+    EXPECT_NEAR(covered, 1 - std::exp(-0.5f), 0.01f);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(alone.rgba32f[middle + size_t(c)] + (1 - covered) * wall[c], whole[c], 0.002f);
+    fog().density = 0;
+    EXPECT_EQ(centre(), vec3(0));
+}
+
 TEST_F(FogGl, HeightFogHasTheClosedFormAlongEveryRay) {
     input.lighting.ambientSky = input.lighting.ambientGround = vec3(1);
     fog() = {.density = 0.2f, .heightFalloff = 0.4f, .height = -1, .albedo = vec3(1), .anisotropy = 0,
