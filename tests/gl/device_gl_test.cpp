@@ -71,9 +71,10 @@ protected:
         EXPECT_TRUE(created) << created.error().text();
         return created.value_or(PipelineHandle{});
     }
-    void begin(uint32_t index, TextureHandle color, LoadOp load, vec4 clear = vec4(0)) {
+    void begin(uint32_t index, TextureHandle color, LoadOp load, vec4 clear = vec4(0),
+               const char* name = "test pass") {
         BeginPass pass;
-        std::strcpy(pass.name, "test pass");
+        std::strcpy(pass.name, name);
         pass.passIndex = index;
         pass.width = pass.height = kSize;
         pass.colorCount = color ? 1 : 0;
@@ -322,6 +323,24 @@ TEST_F(DeviceGlTest, TimersSeePasses) {
         gpuMs = report_.passes[0].gpuMs;
     }
     EXPECT_GT(gpuMs, 0.0);
+}
+
+// A frame's times come from an earlier one, which may have had other passes.
+TEST_F(DeviceGlTest, TimersGoByThePassesNames) {
+    const PipelineHandle color = pipeline("color.frag");
+    const auto draw = [&](std::initializer_list<const char*> passes) {
+        uint32_t index = 0;
+        for (const char* name : passes) {
+            begin(index, target_, LoadOp::clear, vec4(0), name);
+            drawColor(vec4(1), color);
+            commands_.push(EndPass{index++});
+        }
+        run(target_);
+    };
+    for (int frame = 0; frame < 4; ++frame) draw({"shadow", "lighting"});
+    draw({"lighting", "fog"});
+    EXPECT_GT(report_.passes[0].gpuMs, 0.0);
+    EXPECT_EQ(report_.passes[1].gpuMs, 0.0) << "no frame that is finished has had it";
 }
 
 void* withoutOneFunction(const char* name) {

@@ -11,6 +11,8 @@ namespace {
 
 const void* asOffset(GLintptr offset) { return reinterpret_cast<const void*>(offset); }
 
+std::string_view nameOf(const BeginPass& pass) { return {pass.name, strnlen(pass.name, sizeof pass.name)}; }
+
 }  // namespace
 
 GlExecutor::Source GlExecutor::resolve(const BufferRange& range) const {
@@ -29,10 +31,11 @@ void GlExecutor::operator()(const BeginPass& command) {
     pass_ = &command;
     passBegan_ = counted();
     if (report_.passes.size() <= command.passIndex) report_.passes.resize(command.passIndex + 1);
-    if (options_.debugGroups)
-        gl_.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, command.passIndex,
-                           GLsizei(strnlen(command.name, sizeof command.name)), command.name);
-    if (options_.timers) parts_.timers.beginPass(command.passIndex);
+    if (options_.debugGroups) {
+        const std::string_view name = nameOf(command);
+        gl_.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, command.passIndex, GLsizei(name.size()), name.data());
+    }
+    if (options_.timers) parts_.timers.beginPass(nameOf(command));
 
     const bool anyTexture = command.depth.texture || command.colors[0].texture;
     toFrameTarget_ = command.toFrameTarget || (command.colorCount > 0 && !anyTexture);
@@ -80,9 +83,9 @@ void GlExecutor::clearColor(GLuint framebuffer, uint32_t slot, const ColorAttach
 void GlExecutor::operator()(const EndPass& command) {
     RL_CHECK(pass_ && pass_->passIndex == command.passIndex, "a pass ends that did not begin");
     PassExecution& result = report_.passes[command.passIndex];
-    if (options_.timers) parts_.timers.endPass(command.passIndex);
+    if (options_.timers) parts_.timers.endPass();
     if (options_.debugGroups) gl_.PopDebugGroup();
-    result.gpuMs = options_.timers ? parts_.timers.milliseconds(command.passIndex) : 0;
+    result.gpuMs = options_.timers ? parts_.timers.milliseconds(command.passIndex, nameOf(*pass_)) : 0;
     const Count ended = counted();
     result.cpuMs = ended.ms - passBegan_.ms;
     result.glCalls = ended.calls - passBegan_.calls;

@@ -1,12 +1,17 @@
 #include "renderer/backend/gl/gl_timers.h"
 
+#include "engine/core/hash.h"
+
 #include <algorithm>
 
 namespace rushlight {
 
 GlTimers::~GlTimers() {
     for (const Frame& frame : frames_)
-        gl_.DeleteQueries(GLsizei(frame.queries.size()), frame.queries.data());
+        for (const Pass& pass : frame.passes) {
+            const GLuint queries[] = {pass.begin, pass.end};
+            gl_.DeleteQueries(2, queries);
+        }
 }
 
 void GlTimers::beginFrame(bool enabled) {
@@ -15,27 +20,32 @@ void GlTimers::beginFrame(bool enabled) {
     open_ = nullptr;
     if (!enabled || frames_[next_].pending) return;
     open_ = &frames_[next_];
-    open_->last = 0;
-    std::ranges::fill(open_->marked, uint8_t(0));
+    open_->used = 0;
 }
 
-void GlTimers::mark(uint32_t index) {
+GLuint GlTimers::createQuery(std::string_view label) const {
+    GLuint query = 0;
+    gl_.CreateQueries(GL_TIMESTAMP, 1, &query);
+    gl_.label(GL_QUERY, query, label);
+    return query;
+}
+
+void GlTimers::beginPass(std::string_view name) {
     if (!open_) return;
-    while (open_->queries.size() <= index) {
-        open_->queries.push_back(0);
-        open_->marked.push_back(0);
-        gl_.CreateQueries(GL_TIMESTAMP, 1, &open_->queries.back());
-        gl_.label(GL_QUERY, open_->queries.back(),
-                  open_->queries.size() % 2 ? "pass begins" : "pass ends");
-    }
-    open_->marked[index] = 1;
-    open_->last = open_->queries[index];
-    gl_.QueryCounter(open_->last, GL_TIMESTAMP);
+    if (open_->used == open_->passes.size())
+        open_->passes.push_back({createQuery("pass begins"), createQuery("pass ends"), 0});
+    Pass& pass = open_->passes[open_->used++];
+    pass.name = hashText(name);
+    gl_.QueryCounter(pass.begin, GL_TIMESTAMP);
+}
+
+void GlTimers::endPass() {
+    if (open_ && open_->used > 0) gl_.QueryCounter(open_->passes[open_->used - 1].end, GL_TIMESTAMP);
 }
 
 void GlTimers::endFrame() {
     if (!open_) return;
-    open_->pending = open_->last != 0;
+    open_->pending = open_->used > 0;
     if (open_->pending) next_ = (next_ + 1) % kFrames;
     open_ = nullptr;
 }
@@ -43,17 +53,24 @@ void GlTimers::endFrame() {
 void GlTimers::collect(Frame& frame) {
     if (!frame.pending) return;
     GLint available = GL_FALSE;
-    gl_.GetQueryObjectiv(frame.last, GL_QUERY_RESULT_AVAILABLE, &available);
+    gl_.GetQueryObjectiv(frame.passes[frame.used - 1].end, GL_QUERY_RESULT_AVAILABLE, &available);
     if (!available) return;
     frame.pending = false;
-    latest_.assign(frame.queries.size() / 2, 0.0);
-    for (size_t pass = 0; pass < latest_.size(); ++pass) {
-        if (!frame.marked[pass * 2] || !frame.marked[pass * 2 + 1]) continue;
-        GLuint64 times[2] = {};
-        for (size_t i = 0; i < 2; ++i)
-            gl_.GetQueryObjectui64v(frame.queries[pass * 2 + i], GL_QUERY_RESULT, &times[i]);
-        latest_[pass] = times[1] > times[0] ? double(times[1] - times[0]) * 1e-6 : 0;
+    latest_.clear();
+    for (uint32_t i = 0; i < frame.used; ++i) {
+        const Pass& pass = frame.passes[i];
+        GLuint64 begin = 0, end = 0;
+        gl_.GetQueryObjectui64v(pass.begin, GL_QUERY_RESULT, &begin);
+        gl_.GetQueryObjectui64v(pass.end, GL_QUERY_RESULT, &end);
+        latest_.push_back({pass.name, end > begin ? double(end - begin) * 1e-6 : 0});
     }
+}
+
+double GlTimers::milliseconds(uint32_t index, std::string_view name) const {
+    const uint64_t wanted = hashText(name);
+    if (index < latest_.size() && latest_[index].name == wanted) return latest_[index].milliseconds;
+    const auto found = std::ranges::find(latest_, wanted, &Time::name);
+    return found != latest_.end() ? found->milliseconds : 0;
 }
 
 }  // namespace rushlight
