@@ -9,7 +9,7 @@ namespace rushlight {
 namespace {
 
 constexpr std::array<char, 8> kMagic = {'R', 'L', 'P', 'R', 'O', 'B', 'E', 0};
-constexpr uint32_t kVersion = 1;
+constexpr uint32_t kVersion = 2;
 
 /// Followed by IrradianceVolume::records and ::distances.
 struct FileHeader {
@@ -59,7 +59,8 @@ Result<IrradianceVolume> decodeIrradianceVolume(std::span<const std::byte> bytes
         return fail(path, "This is no file of light probes; make one with rushlight bake.");
     if (header.version != kVersion)
         return fail(path, "It is of version " + std::to_string(header.version) +
-                              " of the format, this program reads version 1; bake it again.");
+                              " of the format, this program reads version " +
+                              std::to_string(kVersion) + "; bake it again.");
     if (header.headerHash != hashOfHeader(header))
         return fail(path, "Its header is damaged; bake it again.");
     IrradianceVolume volume;

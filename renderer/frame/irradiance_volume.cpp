@@ -96,7 +96,8 @@ Result<void> checkIrradianceVolume(const IrradianceVolume& volume, const std::st
     return {};
 }
 
-vec4 sampleIrradiance(const IrradianceVolume& volume, const vec3& position, const vec3& normal) {
+vec4 sampleIrradiance(const IrradianceVolume& volume, const vec3& position, const vec3& normal,
+                      const vec3& towardsEye) {
     const ProbeGrid& g = volume.grid;
     const vec3 last = vec3(g.counts) - 1.0f;
     const vec3 place = (position - g.origin) / g.spacing;
@@ -105,27 +106,32 @@ vec4 sampleIrradiance(const IrradianceVolume& volume, const vec3& position, cons
     const vec3 inside = glm::clamp(place, vec3(0), last);
     const vec3 base = glm::min(glm::floor(inside), glm::max(last - 1.0f, vec3(0)));
     const interop::ProbeCorners corners = interop::probeCorners(inside - base);
-    const vec3 biased = position + normal * (interop::kProbeNormalBias * g.smallestSpacing());
-    const vec3 steps[4] = {vec3(0), corners.second, corners.third, vec3(1)};
+    const vec3 biased = position + (normal + towardsEye * interop::kProbeEyeBias) *
+                                       (interop::kProbeNormalBias * g.smallestSpacing());
     vec3 mean(0);
     mat3 flow(0);
     float total = 0;
-    for (int i = 0; i < 4; ++i) {
-        const vec3 cell = glm::min(base + steps[i], last);
+    const auto add = [&](const vec3& corner, float share) {
+        const vec3 cell = glm::min(base + corner, last);
         const uint32_t index =
             uint32_t(cell.x) + g.counts.x * (uint32_t(cell.y) + g.counts.y * uint32_t(cell.z));
         const IrradianceProbe p = volume.probe(index);
         const vec3 at = g.origin + g.spacing * cell + p.offset;
         const vec3 from = biased - at;
         const vec2 seen = seenDistance(volume, index, from);
-        const float weight =
-            (corners.shares[i] * interop::probeVisibility(normal, at - position,
-                                                          glm::length(from), seen) +
-             1e-7f) * p.weight;
+        const float visible = interop::probeVisibility(normal, at - position, glm::length(from), seen);
+        const float weight = share * (visible + 1e-7f) * p.weight;
         mean += p.mean * weight;
         flow += p.flow * weight;
         total += weight;
-    }
+    };
+    const vec3 tetrahedron[4] = {vec3(0), corners.second, corners.third, vec3(1)};
+    for (int i = 0; i < 4; ++i) add(tetrahedron[i], corners.shares[i]);
+    if (const float doubt = interop::probeDoubt(total); doubt > 0)
+        for (int i = 0; i < 8; ++i) {
+            const vec3 corner(i & 1, i >> 1 & 1, i >> 2);
+            add(corner, doubt * interop::cornerShare(inside - base, corner));
+        }
     vec3 out;
     for (int c = 0; c < 3; ++c)
         out[c] = mean[c] > 0 ? mean[c] / total * interop::irradianceShape(flow[c] / mean[c], normal)

@@ -28,7 +28,7 @@ struct ProbeGrid {
 };
 
 inline constexpr uint32_t kMaxProbes = 65536;
-inline constexpr uint32_t kProbeDistances = 64;  ///< RL_PROBE_TEXELS squared
+inline constexpr uint32_t kProbeDistances = 256;  ///< RL_PROBE_TEXELS squared
 
 /// One probe before it is packed. Radiances in the units of the lights.
 struct IrradianceProbe {
@@ -57,8 +57,10 @@ IrradianceVolume makeIrradianceVolume(const ProbeGrid& grid);
 /// An Error in a sentence when the grid is empty, over kMaxProbes, not finite, or does not fit the data.
 Result<void> checkIrradianceVolume(const IrradianceVolume& volume, const std::string& object);
 
-/// Irradiance over pi at a surface point, and in w how much the volume counts there: as the shaders compute it.
-vec4 sampleIrradiance(const IrradianceVolume& volume, const vec3& position, const vec3& normal);
+/// Irradiance over pi at a surface point, and in w how much the volume counts there: as the shaders compute it, which know
+/// where the eye is (`towardsEye`, unit; zero: not told).
+vec4 sampleIrradiance(const IrradianceVolume& volume, const vec3& position, const vec3& normal,
+                      const vec3& towardsEye = vec3(0));
 
 /// The distances of all probes as the shaders' atlas: squares of RL_PROBE_TILE texels with borders that repeat what
 /// lies beyond, RL_PROBE_ATLAS_ROW in a row.

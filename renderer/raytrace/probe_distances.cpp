@@ -3,7 +3,8 @@
 #include "interop/irradiance_volume.h"
 #include "renderer/raytrace/ray_random.h"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace rushlight {
@@ -14,7 +15,6 @@ constexpr uint32_t kPlaceSteps = 5;
 constexpr float kMostBacks = 0.25f;      // share of rays that meet a back
 constexpr float kClearance = 0.2f;       // of the smallest spacing, to the nearest front
 constexpr float kMostOffset = 0.45f;     // of the spacing
-constexpr uint32_t kDistanceRays = 1024;
 
 struct Surroundings {
     float backs = 0;  // share
@@ -92,37 +92,25 @@ ProbePlace findProbePlace(const RayScene& scene, const ProbeGrid& grid, uint32_t
     return place.open ? stepOut(scene, home, most, clearance, place) : place;
 }
 
+// The mean over a texel, of rays spread evenly in it: what is asked between texels is their bilinear mean.
 void measureDistances(const RayScene& scene, IrradianceVolume& volume, uint32_t probe,
                       const vec3& position) {
+    constexpr uint32_t kRays = 4;  // along each side of a texel
     const float farthest = 1.5f * glm::length(volume.grid.spacing);
-    std::array<vec3, kDistanceRays> directions;
-    std::array<float, kDistanceRays> distances;
-    for (uint32_t i = 0; i < kDistanceRays; ++i) {
-        directions[i] = fibonacciDirection(i, kDistanceRays, 0);
-        RayHit hit;
-        distances[i] = scene.intersect({position, directions[i], 0, farthest}, hit) ? hit.distance
-                                                                                     : farthest;
-    }
     for (uint32_t texel = 0; texel < kProbeDistances; ++texel) {
-        const vec2 at = (vec2(texel % RL_PROBE_TEXELS, texel / RL_PROBE_TEXELS) + 0.5f) *
-                            (2.0f / RL_PROBE_TEXELS) - 1.0f;
-        const vec3 axis = interop::decodeOctahedral(at);
-        double total = 0, mean = 0, square = 0;
-        for (uint32_t i = 0; i < kDistanceRays; ++i) {
-            const float cosine = glm::dot(axis, directions[i]);
-            if (cosine < 0.8f) continue;
-            double weight = double(cosine) * double(cosine);  // to the 48th
-            weight = weight * weight * weight;
-            weight *= weight;
-            weight *= weight;
-            weight *= weight;
-            total += weight;
-            mean += weight * double(distances[i]);
-            square += weight * double(distances[i]) * double(distances[i]);
+        float sum = 0, squares = 0;
+        for (uint32_t i = 0; i < kRays * kRays; ++i) {
+            const vec2 corner(texel % RL_PROBE_TEXELS, texel / RL_PROBE_TEXELS);
+            const vec2 inside = (vec2(i % kRays, i / kRays) + 0.5f) / float(kRays);
+            const vec3 d = interop::decodeOctahedral((corner + inside) * (2.0f / RL_PROBE_TEXELS) - 1.0f);
+            RayHit hit;
+            const float distance = scene.intersect({position, d, 0, farthest}, hit) ? hit.distance : farthest;
+            sum += distance;
+            squares += distance * distance;
         }
-        mean /= total;
-        const double variance = std::max(square / total - mean * mean, 0.0);
-        volume.setDistance(probe, texel, {float(mean), float(std::sqrt(variance))});
+        const float mean = sum / float(kRays * kRays);
+        const float variance = std::max(squares / float(kRays * kRays) - mean * mean, 0.0f);
+        volume.setDistance(probe, texel, {mean, std::sqrt(variance)});
     }
 }
 

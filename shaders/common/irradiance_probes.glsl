@@ -25,7 +25,8 @@ vec2 distanceSeen(ProbeQuery q, float index, vec3 direction) {
     return textureLod(probeDistances, (tile + inside) * q.atlasTexel, 0.0).xy;
 }
 
-// Adds the probe at `cell`; red.x to blue.w are sums, and the sum of weights is returned.
+// Adds the probe at `cell`, which weighs something even where it does not see the point, if nothing else does; red.x to
+// blue.w are sums, and its weight is returned.
 float addProbe(inout LightAround sum, ProbeQuery q, vec3 cell, float share) {
     cell = min(cell, L_VOLUME_LAST.xyz);
     vec2 counts = L_VOLUME_LAST.xy + 1.0;
@@ -40,7 +41,7 @@ float addProbe(inout LightAround sum, ProbeQuery q, vec3 cell, float share) {
     vec3 at = cell * q.spacing + vec3(b2, b3.x);
     vec3 from = q.offSurface - at;
     float visible = probeVisibility(q.normal, at - q.place, length(from), distanceSeen(q, index, from));
-    float weight = (share * visible + 1e-7) * b3.y;
+    float weight = share * (visible + 1e-7) * b3.y;
     sum.red += weight * vec4(a0.x, a1.y, a2);
     sum.green += weight * vec4(a0.y, a3, b0.x);
     sum.blue += weight * vec4(a1.x, b0.y, b1);
@@ -51,7 +52,9 @@ float addProbe(inout LightAround sum, ProbeQuery q, vec3 cell, float share) {
 LightAround lightAround(vec3 position, vec3 normal) {
     ProbeQuery q;
     q.place = position - L_VOLUME_ORIGIN.xyz;
-    q.offSurface = q.place + normal * L_VOLUME_ORIGIN.w;
+    vec3 towardsEye = position * -inversesqrt(max(dot(position, position), 1e-8));
+    float onSurface = dot(normal, normal);  // air has no normal and stays in its place
+    q.offSurface = q.place + (normal + towardsEye * (kProbeEyeBias * onSurface)) * L_VOLUME_ORIGIN.w;
     q.normal = normal;
     q.spacing = 1.0 / L_VOLUME_SCALE.xyz;
     q.atlasTexel = 1.0 / vec2(textureSize(probeDistances, 0));
@@ -65,6 +68,13 @@ LightAround lightAround(vec3 position, vec3 normal) {
     total += addProbe(sum, q, base + corners.second, corners.shares.y);
     total += addProbe(sum, q, base + corners.third, corners.shares.z);
     total += addProbe(sum, q, base + 1.0, corners.shares.w);
+    float doubt = probeDoubt(total);
+    if (doubt > 0.0) {
+        for (int i = 0; i < 8; ++i) {
+            vec3 corner = vec3(ivec3(i, i >> 1, i >> 2) & 1);
+            total += addProbe(sum, q, base + corner, doubt * cornerShare(grid - base, corner));
+        }
+    }
     float scale = inside / total, outside = 1.0 - inside;
     sum.red = sum.red * scale + L_VOLUME_OUTER(0) * outside;
     sum.green = sum.green * scale + L_VOLUME_OUTER(1) * outside;

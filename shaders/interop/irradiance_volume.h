@@ -23,14 +23,17 @@
 RL_INTEROP_BEGIN
 
 #define RL_PROBE_RECORD_TEXELS 2
-#define RL_PROBE_TEXELS 8
-#define RL_PROBE_TILE 10
+#define RL_PROBE_TEXELS 16
+#define RL_PROBE_TILE 18
 // The distance atlas holds this many probes in a row.
 #define RL_PROBE_ATLAS_ROW 256
 
 /// Points are moved off their surface by this share of the smallest spacing before a probe is asked whether it sees
 /// them.
 RL_CONST float kProbeNormalBias = 0.2f;
+/// And by this share of that towards the eye: in a corner the normal leads along the other surface, the way to the eye
+/// off it.
+RL_CONST float kProbeEyeBias = 0.75f;
 /// The weight of probes that were filled from others.
 RL_CONST float kFilledProbeWeight = 1e-4f;
 
@@ -58,16 +61,33 @@ RL_INLINE ProbeCorners probeCorners(vec3 f) {
     return c;
 }
 
+/// Share of one of the cell's corners, linear along each axis.
+RL_INLINE float cornerShare(vec3 f, vec3 corner) {
+    vec3 s = mix(vec3(1.0f) - f, f, corner);
+    return s.x * s.y * s.z;
+}
+
+/// How much all eight probes of the cell count beside the tetrahedron's, which in corners of rooms may not see the point.
+/// `seen`: what those weigh together, about 0.2 to 1 on open surfaces.
+RL_INLINE float probeDoubt(float seen) {
+    float doubt = clamp(1.0f - seen * 10.0f, 0.0f, 1.0f);
+    return doubt * doubt * (3.0f - 2.0f * doubt);
+}
+
 /// A probe's weight beside its share. `toProbe`: from the surface point; `toPoint`: from the probe to the point moved
 /// off the surface; `seen`: mean and deviation of the distance that the probe sees that way.
 RL_INLINE float probeVisibility(vec3 normal, vec3 toProbe, float distance, vec2 seen) {
     float facing = dot(toProbe, normal) * inversesqrt(max(dot(toProbe, toProbe), 1e-8f));
     float wrapped = facing * 0.5f + 0.5f;
-    float beyond = max(distance - seen.x, 0.0f);
-    float variance = seen.y * seen.y;
+    // Most of the deviation is the slant of surfaces within a texel: the nearer of them hide, and sharply.
+    float beyond = max(distance - (seen.x - seen.y), 0.0f);
+    float deviation = 0.5f * seen.y + 0.02f * distance;
+    float variance = deviation * deviation;
     float chebyshev = variance / max(variance + beyond * beyond, 1e-8f);
     chebyshev = beyond > 0.0f ? chebyshev * chebyshev * chebyshev : 1.0f;
-    float weight = (wrapped * wrapped + 0.05f) * max(chebyshev, 1e-3f);
+    // Behind the surface the distances, of few directions, are not sharp enough: a wall's back has its own light.
+    float before = clamp(1.0f + 4.0f * facing, 0.1f, 1.0f);
+    float weight = (wrapped * wrapped + 0.05f) * before * before * max(chebyshev, 1e-3f);
     // What is nearly hidden counts for less than it would, with no edge where that begins.
     return weight < 0.2f ? weight * weight * weight * 25.0f : weight;
 }

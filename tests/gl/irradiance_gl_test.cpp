@@ -1,7 +1,7 @@
 // Surfaces in the light of irradiance probes: what the GPU shows is what the CPU looks up.
 
 #include "tests/support/lit_frame.h"
-#include "tests/support/random.h"
+#include "tests/support/probe_distances.h"
 
 #include <gtest/gtest.h>
 
@@ -109,8 +109,7 @@ TEST_F(IrradianceGl, TheGpuLooksUpWhatTheCpuDoes) {
         // Without a direction, so that the mirrored light is in the same proportion.
         volume.setProbe(i, {.mean = random.vector(0.2f, 2), .offset = random.vector(-0.3f, 0.3f),
                             .weight = i % 7 ? 1.0f : 1e-4f});
-        for (uint32_t t = 0; t < kProbeDistances; ++t)
-            volume.setDistance(i, t, {random.uniform(0.3f, 2), random.uniform(0.1f, 0.5f)});
+        seeSmoothly(volume, i, random, 2, 5);
     }
     for (const AlphaMode mode : {AlphaMode::opaque, AlphaMode::blend}) {
         paint(mode);
@@ -120,7 +119,8 @@ TEST_F(IrradianceGl, TheGpuLooksUpWhatTheCpuDoes) {
             for (uint32_t x = 0; x < kWidth; ++x) {
                 vec3 position, normal;
                 if (!hit(x, y, position, normal)) continue;
-                const vec4 expected = sampleIrradiance(volume, position, normal);
+                const vec4 expected =
+                    sampleIrradiance(volume, position, normal, glm::normalize(eye - position));
                 if (expected.w < 1) continue;
                 for (uint32_t c = 0; c < 3; ++c) {
                     const size_t at = (size_t(y) * kWidth + x) * 4 + c;

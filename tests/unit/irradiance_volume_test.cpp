@@ -1,7 +1,7 @@
 #include "renderer/frame/irradiance_volume.h"
 
 #include "interop/irradiance_volume.h"
-#include "tests/support/random.h"
+#include "tests/support/probe_distances.h"
 
 #include <gtest/gtest.h>
 
@@ -23,8 +23,7 @@ IrradianceVolume randomVolume(glm::uvec3 counts) {
         for (int c = 0; c < 3; ++c) p.flow[c] = random.direction() * (p.mean[c] * 0.7f);
         p.offset = random.vector(-0.1f, 0.1f);
         volume.setProbe(i, p);
-        for (uint32_t t = 0; t < kProbeDistances; ++t)
-            volume.setDistance(i, t, {random.uniform(0.1f, 4), random.uniform(0, 1)});
+        seeSmoothly(volume, i, random, 4, 8);
     }
     return volume;
 }
@@ -104,20 +103,20 @@ TEST(IrradianceVolume, IsSmoothAndFadesOutBeyondItsBorder) {
 TEST(IrradianceVolume, TheAtlasRepeatsWhatLiesBeyondEachSquare) {
     const IrradianceVolume v = randomVolume({300, 1, 1});
     const ProbeAtlas atlas = makeProbeAtlas(v);
-    EXPECT_EQ(atlas.width, 2560u);
-    EXPECT_EQ(atlas.height, 20u);
+    EXPECT_EQ(atlas.width, 256u * 18);
+    EXPECT_EQ(atlas.height, 2u * 18);
     const auto texel = [&](uint32_t probe, uint32_t x, uint32_t y) {
-        return atlas.texels[(probe / 256 * 10 + y) * atlas.width + probe % 256 * 10 + x];
+        return atlas.texels[(probe / 256 * 18 + y) * atlas.width + probe % 256 * 18 + x];
     };
     const auto of = [&](uint32_t probe, uint32_t x, uint32_t y) {
-        return v.distances[probe * 64 + y * 8 + x];
+        return v.distances[probe * 256 + y * 16 + x];
     };
     EXPECT_EQ(texel(257, 1, 1), of(257, 0, 0));
-    EXPECT_EQ(texel(257, 8, 3), of(257, 7, 2));
+    EXPECT_EQ(texel(257, 16, 3), of(257, 15, 2));
     // Over an edge the square goes on mirrored about the edge's middle; at a corner all four meet.
-    EXPECT_EQ(texel(5, 0, 3), of(5, 0, 5));
-    EXPECT_EQ(texel(5, 2, 9), of(5, 6, 7));
-    EXPECT_EQ(texel(5, 0, 0), of(5, 7, 7));
+    EXPECT_EQ(texel(5, 0, 3), of(5, 0, 13));
+    EXPECT_EQ(texel(5, 2, 17), of(5, 14, 15));
+    EXPECT_EQ(texel(5, 0, 0), of(5, 15, 15));
 }
 
 TEST(IrradianceVolume, AFileIsReadAsItWasWritten) {
