@@ -36,4 +36,7 @@ struct Picture {
     std::size_t pixelCount() const { return std::size_t(width) * height; }
 };
 
+/// As a lossless file with these pixels reads.
+Picture pictureOf(const PictureView& view);
+
 }  // namespace rushlight

@@ -18,3 +18,8 @@ add_library(rushlight_lighting STATIC
   vertex_packing.cpp)
 target_include_directories(rushlight_lighting PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/shaders>)
 target_link_libraries(rushlight_lighting PUBLIC rushlight_core rushlight_commands PRIVATE rushlight_options)
+rushlight_package(rushlight_lighting HEADERS
+  irradiance_volume.h
+  light_patterns.h
+  reflection_probes.h
+  sky.h)

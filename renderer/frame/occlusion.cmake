@@ -10,3 +10,4 @@ add_library(rushlight_occlusion STATIC
   occlusion_pick.cpp
   occlusion_setup.cpp)
 target_link_libraries(rushlight_occlusion PUBLIC rushlight_core PRIVATE hwy::hwy rushlight_options)
+rushlight_package(rushlight_occlusion)

@@ -3,27 +3,12 @@
 
 #include "engine/core/jobs.h"
 #include "engine/core/result.h"
-#include "renderer/frame/lights.h"
+#include "renderer/raytrace/bake_lighting.h"
 #include "renderer/raytrace/ray_random.h"
 
 #include <vector>
 
 namespace rushlight {
-
-/// What shines into a baked scene. Spans are read while a BakeLight is made.
-struct BakeLighting {
-    std::span<const DirectionalLight> directional = {};
-    std::span<const PunctualLight> punctual = {};
-    std::span<const AreaLight> area = {};
-    const LightPatternSet* patterns = nullptr;  ///< of those; must outlive the BakeLight; null: none has any
-    EnvironmentDesc environment = {};  ///< no pixels: the hemisphere below
-    float environmentRotation = 0;
-    float environmentIntensity = 1;
-    vec3 ambientSky{0}, ambientGround{0};  ///< as in Lighting
-};
-
-/// Tells lightings apart that give other light.
-uint64_t hashOf(const BakeLighting& lighting);
 
 /// A direction to the sky, drawn by how bright it is.
 struct SkySample {

@@ -1,6 +1,8 @@
 #include "renderer/raytrace/probe_bake.h"
 
 #include "interop/irradiance_volume.h"
+#include "renderer/frame/brdf_table.h"
+#include "renderer/raytrace/path_tracer.h"
 #include "renderer/raytrace/probe_distances.h"
 
 #include <algorithm>
@@ -190,7 +192,10 @@ Result<IrradianceVolume> bakeIrradiance(const RayScene& scene, const BakeLightin
 }
 
 ProbeUpdater::ProbeUpdater(const RayScene& scene, IrradianceVolume volume, JobSystem& jobs)
-    : scene_(scene), jobs_(jobs), table_(makeBrdfTable(jobs)), volume_(std::move(volume)) {}
+    : scene_(scene), jobs_(jobs), table_(std::make_unique<BrdfTable>(makeBrdfTable(jobs))),
+      volume_(std::move(volume)) {}
+
+ProbeUpdater::~ProbeUpdater() = default;
 
 Result<void> ProbeUpdater::update(const BakeLighting& lighting, uint32_t count, uint32_t samples,
                                   float share) {
@@ -200,7 +205,7 @@ Result<void> ProbeUpdater::update(const BakeLighting& lighting, uint32_t count, 
                                        "; it must be above 0 and at most 1.", ErrorKind::wrongUse);
     const auto light = BakeLight::create(lighting, jobs_);
     if (!light) return tl::unexpected(light.error());
-    const PathTracer tracer(scene_, *light, table_, ProbeBakeDesc{}.bounces);
+    const PathTracer tracer(scene_, *light, *table_, ProbeBakeDesc{}.bounces);
     const uint32_t all = volume_.grid.count();
     count = std::min(count, all);
     jobs_.forRanges(count, 1, [&](uint32_t begin, uint32_t end) {

@@ -4,10 +4,17 @@
 // light, and of every light after its first bounce. The frame adds the rest, with its own shadows. All lights cast
 // shadows here, whatever their castsShadow says: it saves a frame shadow maps, and rays none.
 
+#include "engine/core/jobs.h"
+#include "engine/core/result.h"
 #include "renderer/frame/irradiance_volume.h"
-#include "renderer/raytrace/path_tracer.h"
+#include "renderer/raytrace/bake_lighting.h"
+#include "renderer/raytrace/ray_scene.h"
+
+#include <memory>
 
 namespace rushlight {
+
+struct BrdfTable;
 
 struct ProbeBakeDesc {
     float spacing = 0;       ///< metres between probes; 0: as fine as kAutoProbes of them are
@@ -35,6 +42,7 @@ class ProbeUpdater {
 public:
     /// `scene` and `jobs` must outlive it.
     ProbeUpdater(const RayScene& scene, IrradianceVolume volume, JobSystem& jobs);
+    ~ProbeUpdater();
 
     /// Bakes the next `count` probes under `lighting`; `share` of the new light is taken, the rest is what was, which
     /// evens out the noise of few samples.
@@ -45,7 +53,7 @@ public:
 private:
     const RayScene& scene_;
     JobSystem& jobs_;
-    BrdfTable table_;
+    std::unique_ptr<const BrdfTable> table_;
     IrradianceVolume volume_;
     uint32_t next_ = 0;
     uint64_t lightHash_ = 0;  ///< of the last update

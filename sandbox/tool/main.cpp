@@ -1,6 +1,8 @@
 #include "sandbox/process_memory.h"
 #include "sandbox/tool/command.h"
+#include "sandbox/tool/words.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
 
@@ -9,6 +11,7 @@ namespace {
 
 int run(int argumentCount, char** arguments) {
     CLI::App app("Rushlight: renders glTF scenes offscreen, measures and compares.", "rushlight");
+    app.footer("@FILE stands for the words in a file.");
     app.set_version_flag("--version", "rushlight " RUSHLIGHT_VERSION);
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
@@ -16,6 +19,8 @@ int run(int argumentCount, char** arguments) {
     addCapture(app, action);
     addBreakdown(app, action);
     addCompare(app, action);
+    addCheck(app, action);
+    addGoldens(app, action);
     addBench(app, action);
     addBake(app, action);
     addInfo(app, action);
@@ -24,8 +29,14 @@ int run(int argumentCount, char** arguments) {
     addExplain(app, action);
     addDoctor(app, action);
     addView(app, action);
+    auto words = commandWords(argumentCount, arguments);
+    if (!words) {
+        printError(words.error());
+        return exitCode(words.error().kind);
+    }
+    std::ranges::reverse(*words);  // as CLI11 takes them
     try {
-        app.parse(argumentCount, arguments);
+        app.parse(std::move(*words));
     } catch (const CLI::Success& success) {  // --help and --version
         return app.exit(success);
     } catch (const CLI::ParseError& error) {

@@ -176,22 +176,6 @@ Result<void> RenderSetup::useEnvironment(const EnvironmentDesc& desc) {
     return {};
 }
 
-/// The whole scene in the picture, seen from the front and a little from above.
-View RenderSetup::viewThatFrames(const Aabb& bounds) const {
-    const vec3 center = bounds.isEmpty() ? vec3(0) : bounds.center();
-    const float radius =
-        bounds.isEmpty() ? 1.0f : std::max(glm::length(bounds.halfExtent()), 1e-4f);
-    const float aspect = float(options_.size.x) / float(options_.size.y);
-    const float halfVertical = glm::radians(options_.verticalFov) / 2;
-    const float half = std::min(halfVertical, std::atan(std::tan(halfVertical) * aspect));
-    const float distance = radius / std::sin(half);
-    View view;
-    view.viewFromWorld =
-        lookAt(center + distance * glm::normalize(vec3(0.35f, 0.3f, 1)), center, {0, 1, 0});
-    view.nearPlane = std::max(distance - 2 * radius, distance * 0.01f);
-    return view;
-}
-
 Result<void> RenderSetup::chooseCamera() {
     if (!options_.camera.empty()) {
         const auto found =
@@ -204,7 +188,8 @@ Result<void> RenderSetup::chooseCamera() {
         return {};
     }
     const Aabb bounds = bridge_->bounds();
-    view_ = viewThatFrames(bounds);
+    view_ = viewThatFrames(bounds, glm::radians(options_.verticalFov),
+                           float(options_.size.x) / float(options_.size.y));
     if (options_.eye) {
         const float distance = glm::length(*options_.target - *options_.eye);
         if (!(distance > 0) || glm::length(options_.up) == 0)
@@ -217,7 +202,6 @@ Result<void> RenderSetup::chooseCamera() {
         for (int camera = 0; camera_ < 0 && camera < int(model_.cameras.size()); ++camera)
             if (bridge_->cameraView(camera)) camera_ = camera;
     }
-    view_.verticalFov = glm::radians(options_.verticalFov);
     return {};
 }
 
@@ -266,10 +250,7 @@ Result<void> RenderSetup::loadProbes() {
 
 void RenderSetup::chooseLights() {
     if (bridge_->hasLights() || hasEnvironment_ || options_.ambient) return;
-    defaultLights_ = true;
-    const mat4 worldFromView = glm::inverse(frame().view.viewFromWorld);
-    defaultSun_.direction = glm::normalize(mat3(worldFromView) * vec3(-0.3f, -0.6f, -1));
-    defaultSun_.illuminance = vec3(3);
+    defaultLights_ = defaultLights(frame().view);
     model_.fidelity.approximated.push_back(
         "lighting: the file has no lights and no environment was given; a sun from behind the "
         "camera and ambient light are used.");
@@ -303,9 +284,9 @@ FrameInput RenderSetup::frame() const {
         }
     }
     if (defaultLights_) {
-        lighting.directional = {&defaultSun_, 1};
-        lighting.ambientSky = vec3(0.6f);
-        lighting.ambientGround = vec3(0.35f);
+        lighting.directional = {&defaultLights_->sun, 1};
+        lighting.ambientSky = defaultLights_->ambientSky;
+        lighting.ambientGround = defaultLights_->ambientGround;
     }
     return input;
 }

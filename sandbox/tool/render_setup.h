@@ -6,6 +6,7 @@
 #include "renderer/raytrace/probe_bake.h"
 #include "renderer/renderer.h"
 #include "renderer/scene_bridge/scene_bridge.h"
+#include "renderer/scene_bridge/scene_defaults.h"
 #include "sandbox/tool/options.h"
 
 #include <memory>
@@ -51,7 +52,6 @@ private:
     Result<void> captureReflections();
     Result<void> chooseCamera();
     void chooseLights();
-    View viewThatFrames(const Aabb& bounds) const;
 
     // Destroyed from the last to the first: the resources before the renderer, and it before its
     // context.
@@ -71,8 +71,7 @@ private:
     int camera_ = -1;  ///< -1: `view_`
     View view_;
     bool hasEnvironment_ = false;
-    bool defaultLights_ = false;
-    DirectionalLight defaultSun_;
+    std::optional<DefaultLights> defaultLights_;
     double loadMs_ = 0;
 };
 

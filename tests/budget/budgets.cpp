@@ -3,7 +3,7 @@
 #include "tests/bench/bench_world.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/support/random_scene.h"
-#include "tests/support/scene_frames.h"
+#include "renderer/testing/scene_frames.h"
 
 namespace rushlight {
 namespace {

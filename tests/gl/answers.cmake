@@ -3,11 +3,10 @@ find_library(EGL_LIBRARY EGL REQUIRED)
 add_executable(explain_gl_test
   explain_gl_test.cpp
   ../support/lit_frame.cpp
-  ../support/scene_frames.cpp
   ../support/test_context.cpp)
 target_compile_definitions(explain_gl_test PRIVATE RUSHLIGHT_SOURCE="${PROJECT_SOURCE_DIR}")
 target_link_libraries(explain_gl_test PRIVATE
-  rushlight_answers rushlight_capture rushlight_scene_bridge rushlight_assets ${EGL_LIBRARY}
+  rushlight_answers rushlight_testing ${EGL_LIBRARY}
   GTest::gtest_main rushlight_options)
 gtest_discover_tests(explain_gl_test PROPERTIES TIMEOUT 300)
 

@@ -3,7 +3,7 @@
 
 #include "tests/support/lit_frame.h"
 #include "tests/support/random.h"
-#include "tests/support/scene_frames.h"
+#include "renderer/testing/scene_frames.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -3,11 +3,10 @@ find_library(EGL_LIBRARY EGL REQUIRED)
 add_executable(replay_gl_test
   replay_gl_test.cpp
   ../support/random_scene.cpp
-  ../support/scene_frames.cpp
   ../support/test_context.cpp)
 target_compile_definitions(replay_gl_test PRIVATE RUSHLIGHT_SOURCE="${PROJECT_SOURCE_DIR}")
 target_link_libraries(replay_gl_test PRIVATE
-  rushlight_replay rushlight_gl_backend rushlight_capture rushlight_scene_bridge rushlight_assets
+  rushlight_replay rushlight_gl_backend rushlight_testing
   ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
 gtest_discover_tests(replay_gl_test PROPERTIES TIMEOUT 600)
 

@@ -7,7 +7,7 @@
 #include "renderer/replay/replay.h"
 #include "renderer/replay/texel_picture.h"
 #include "tests/support/random_scene.h"
-#include "tests/support/scene_frames.h"
+#include "renderer/testing/scene_frames.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_context.h"
 

@@ -1,7 +1,7 @@
 // Every scene that others made is drawn, or refused with a reason.
 
 #include "renderer/context/context.h"
-#include "tests/support/scene_frames.h"
+#include "renderer/testing/scene_frames.h"
 
 #include <gtest/gtest.h>
 

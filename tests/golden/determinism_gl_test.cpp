@@ -3,7 +3,7 @@
 #include "engine/jobs/tbb_jobs.h"
 #include "renderer/capture/image_files.h"
 #include "renderer/context/context.h"
-#include "tests/support/scene_frames.h"
+#include "renderer/testing/scene_frames.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,11 +1,10 @@
-#include "renderer/capture/compare.h"
-#include "renderer/capture/image_files.h"
-#include "renderer/context/context.h"
+#include "renderer/testing/matchers.h"
 #include "tests/golden/goldens.h"
-#include "tests/support/test_context.h"
+#include "tests/support/temporary_directory.h"
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -14,44 +13,22 @@ namespace rushlight {
 namespace {
 
 namespace fs = std::filesystem;
+using golden::Offscreen;
 
 class GoldenTest : public testing::Test {
 protected:
     void SetUp() override {
-        auto made = createOffscreenContext(ContextChoice::automatic, {});
+        auto made = Offscreen::create();
         if (!made) GTEST_SKIP() << made.error().text();
-        context = std::move(*made);
+        offscreen = std::move(*made);
     }
 
-    std::unique_ptr<Context> context;
+    std::unique_ptr<Offscreen> offscreen;
 };
 
-bool isWithinLimits(const Comparison& c) { return c.flip <= kMaxFlip && c.psnr >= kMinPsnr; }
-
-Result<Comparison> compareWithGolden(const Golden& golden, const CapturedImage& image) {
-    const auto expected = loadPicture(goldenPath(golden));
-    if (!expected) return tl::unexpected(expected.error());
-    return comparePictures(*expected, pictureOf(image), goldenPath(golden), "the frame");
-}
-
-/// Keeps what was rendered beside the test, to be looked at.
-void keep(const Golden& golden, const CapturedImage& image) {
-    const std::string path = std::string(golden.name) + "_rendered.png";
-    if (saveImage(path, PictureView(image)))
-        std::printf("what was rendered is in %s\n", fs::absolute(path).c_str());
-}
-
 TEST_F(GoldenTest, EveryGoldenIsRenderedAgain) {
-    for (const Golden& golden : goldens()) {
-        SCOPED_TRACE(golden.name);
-        const auto image = renderGolden(golden, context->loader());
-        ASSERT_TRUE(image) << image.error().text();
-        const auto comparison = compareWithGolden(golden, *image);
-        ASSERT_TRUE(comparison) << comparison.error().text();
-        EXPECT_LE(comparison->flip, kMaxFlip);
-        EXPECT_GE(comparison->psnr, kMinPsnr);
-        if (!isWithinLimits(*comparison)) keep(golden, *image);
-    }
+    for (const Golden& golden : goldens())
+        EXPECT_FRAME(renderGolden(golden, *offscreen), nearGolden(golden));
 }
 
 /// One line of a shader, made wrong. `golden` must notice.
@@ -103,27 +80,31 @@ testing::AssertionResult seed(const Fault& fault, const fs::path& shaders) {
 TEST_F(GoldenTest, TheLimitsNoticeASeededFault) {
     for (const Fault& fault : kFaults) {
         SCOPED_TRACE(std::string(fault.golden) + ": " + fault.wrong);
-        TemporaryDirectory shaders;
+        TemporaryDirectory shaders, evidence;
         fs::copy(RUSHLIGHT_SOURCE "/shaders", shaders.path(), fs::copy_options::recursive);
         ASSERT_TRUE(seed(fault, shaders.path()));
         const Golden& golden = goldenNamed(fault.golden);
-        const auto image = renderGolden(golden, context->loader(), shaders.path());
-        ASSERT_TRUE(image) << image.error().text();
-        const auto comparison = compareWithGolden(golden, *image);
-        ASSERT_TRUE(comparison) << comparison.error().text();
-        EXPECT_FALSE(isWithinLimits(*comparison))
-            << "flip " << comparison->flip << ", psnr " << comparison->psnr;
-        std::printf("%-20s flip %.4f psnr %.1f  %s\n", fault.golden, comparison->flip,
-                    comparison->psnr, fault.wrong);
+        const auto faulty = Offscreen::create({.shaderDirectory = shaders.path()});
+        ASSERT_TRUE(faulty) << faulty.error().text();
+        const auto frame = renderGolden(golden, **faulty);
+        ASSERT_TRUE(frame) << frame.error().text();
+        const auto verdict = golden::judge(*frame, nearGolden(golden),
+                                           {.folder = evidence.path(), .breakdown = false});
+        ASSERT_TRUE(verdict && verdict->figures);
+        EXPECT_FALSE(verdict->passed) << verdict->text();
+        std::printf("%-20s flip %.4f psnr %.1f  %s\n", fault.golden, verdict->figures->flip,
+                    verdict->figures->psnr, fault.wrong);
     }
 }
 
 TEST_F(GoldenTest, ShadersFromADirectoryRenderTheSame) {
     const Golden& golden = goldenNamed("testcard_normal");
-    const auto compiledIn = renderGolden(golden, context->loader());
-    const auto fromFiles = renderGolden(golden, context->loader(), RUSHLIGHT_SOURCE "/shaders");
-    ASSERT_TRUE(compiledIn && fromFiles);
-    EXPECT_EQ(compiledIn->rgba8, fromFiles->rgba8);
+    const auto fromFiles = Offscreen::create({.shaderDirectory = RUSHLIGHT_SOURCE "/shaders"});
+    ASSERT_TRUE(fromFiles) << fromFiles.error().text();
+    const auto compiledIn = renderGolden(golden, *offscreen);
+    const auto read = renderGolden(golden, **fromFiles);
+    ASSERT_TRUE(compiledIn && read);
+    EXPECT_EQ(compiledIn->image.rgba8, read->image.rgba8);
 }
 
 }  // namespace

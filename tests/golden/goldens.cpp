@@ -41,23 +41,14 @@ std::span<const Golden> goldens() {
     return all;
 }
 
-Result<CapturedImage> renderGolden(const Golden& golden, GlLoadFunction loadGl,
-                                   const std::string& shaderDirectory) {
-    RendererDesc desc;
-    desc.loadGl = loadGl;
-    desc.validateCommands = true;
-    desc.shaderDirectory = shaderDirectory;
-    auto renderer = Renderer::create(desc);
-    if (!renderer) return tl::unexpected(renderer.error());
+Result<golden::Frame> renderGolden(const Golden& golden, golden::Offscreen& offscreen) {
     const std::string environment =
         *golden.environment ? kContent + std::string(golden.environment) : std::string();
-    auto scene = SceneFrames::open(**renderer, kContent + std::string(golden.scene), environment);
-    if (!scene) return tl::unexpected(scene.error());
-    return (*scene)->render(golden.view);
+    return offscreen.renderScene(kContent + std::string(golden.scene), golden.view, environment);
 }
 
-std::string goldenPath(const Golden& golden) {
-    return RUSHLIGHT_SOURCE "/tests/golden/" + std::string(golden.name) + ".png";
+golden::Near nearGolden(const Golden& golden) {
+    return golden::near(std::string(golden.name) + ".png", golden::flip(0.004), golden::psnr(47));
 }
 
 }  // namespace rushlight

@@ -1,7 +1,7 @@
 #pragma once
 // The golden pictures: what each shows and how far a frame may be from it.
 
-#include "tests/support/scene_frames.h"
+#include "renderer/testing/verdict.h"
 
 #include <span>
 
@@ -16,15 +16,10 @@ struct Golden {
 
 std::span<const Golden> goldens();
 
+Result<golden::Frame> renderGolden(const Golden& golden, golden::Offscreen& offscreen);
+
 /// Limits of a frame that is the same. They leave room for another driver's rounding, and for
 /// nothing that a fault in a shader changes (golden_gl_test seeds such faults).
-inline constexpr double kMaxFlip = 0.004;
-inline constexpr double kMinPsnr = 47;  ///< dB
-
-/// Renders one golden in a renderer of its own. `shaderDirectory` as in RendererDesc.
-Result<CapturedImage> renderGolden(const Golden& golden, GlLoadFunction loadGl,
-                                   const std::string& shaderDirectory = {});
-
-std::string goldenPath(const Golden& golden);
+golden::Near nearGolden(const Golden& golden);
 
 }  // namespace rushlight

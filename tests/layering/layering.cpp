@@ -46,6 +46,7 @@ const std::vector<Layer>& layers() {
          {"engine/core/", "renderer/commands/", "renderer/frame/", "renderer/passes/",
           "renderer/backend/device.h", "shaders/interop/", "interop/"}},
         {"renderer/scene_bridge/", {"engine/", "renderer/", "shaders/interop/", "interop/"}},
+        {"renderer/testing/", {"engine/core/", "engine/assets/", "renderer/"}},
         {"renderer/", {"engine/core/", "renderer/", "shaders/interop/", "interop/"}},
         {"sandbox/", {"engine/", "renderer/", "sandbox/", "content/", "shaders/interop/"}},
         {"content/", {"engine/", "renderer/", "content/", "shaders/interop/"}},

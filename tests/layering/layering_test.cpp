@@ -62,6 +62,12 @@ TEST_F(PlantedTree, RendererThatKnowsTheScene) {
     tree.write("renderer/renderer.h", "#include \"engine/scene/s.h\"\n");
     expectOne("renderer/renderer.h", "engine/scene/s.h");
 }
+TEST_F(PlantedTree, TestingLibraryThatKnowsTheScene) {
+    tree.write("renderer/testing/t.h", "#include \"engine/assets/model.h\"\n");
+    EXPECT_EQ(findLayeringViolations(tree.path()), std::vector<std::string>{});
+    tree.write("renderer/testing/t.h", "#include \"engine/scene/s.h\"\n");
+    expectOne("renderer/testing/t.h", "engine/scene/s.h");
+}
 TEST_F(PlantedTree, EngineThatKnowsTheRenderer) {
     tree.write("engine/scene/s.h", "#include \"renderer/renderer.h\"\n");
     expectOne("engine/scene/s.h", "renderer/renderer.h");

@@ -1,5 +1,6 @@
 // Area lights in baked light: a floor under them, seen by paths without a bounce, against closed forms; and whole bakes.
 #include "renderer/frame/vertex_packing.h"
+#include "renderer/raytrace/path_tracer.h"
 #include "renderer/raytrace/probe_bake.h"
 
 #include "interop/brdf.h"

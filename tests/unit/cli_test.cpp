@@ -32,8 +32,8 @@ void expectError(const std::string& arguments, int code) {
 }
 
 TEST(Cli, HelpWorksForEverySubcommand) {
-    for (const char* command : {"", "bake ", "breakdown ", "capture ", "compare ", "bench ", "info ", "diagnose ",
-                                "doctor ", "explain ", "replay "}) {
+    for (const char* command : {"", "bake ", "breakdown ", "capture ", "check ", "compare ", "bench ", "info ", "diagnose ",
+                                "doctor ", "explain ", "goldens ", "replay "}) {
         const Ended result = run(std::string(command) + "--help");
         EXPECT_EQ(result.code, 0) << command;
         EXPECT_EQ(result.errors, "");
@@ -60,6 +60,7 @@ TEST(Cli, WrongUseIsTwo) {
           "diagnose", "diagnose a.glb --stats s.json", "explain a.glb", "explain a.glb 5", "explain a.glb 5,",
           "explain a.glb 5,6,7", "explain a.glb -1,5", "explain a.glb 5.5,1", "explain a.glb 1280,0",
           "explain a.glb 0,32 --size 64x32", "explain a.glb 0,0 --stats s.json",
+          "check a.glb", "check a.glb --golden g.jpg", "check a.glb --golden g.png --flip nan", "goldens",
           "compare a.png b.png --flip nan", "compare a.png b.png --pixels-per-degree nan"})
         expectError(arguments, 2);
 }
@@ -70,6 +71,9 @@ TEST(Cli, BadInputIsThree) {
     expectError("breakdown /nowhere/a.glb -o /nowhere/out", 3);
     expectError("breakdown /nowhere/a.glb -o /nowhere/out --compare /nowhere/frame.json", 3);
     expectError("compare /nowhere/a.png /nowhere/b.png", 3);
+    expectError("check /nowhere/a.glb --golden /nowhere/g.png", 3);
+    expectError("check @/nowhere/a.check", 3);
+    expectError("goldens /nowhere", 3);
     expectError("diagnose /nowhere/a.glb", 3);
     expectError("explain /nowhere/a.glb 1,2", 3);
     expectError("replay /nowhere/a.rlf -o /nowhere/a.png", 3);

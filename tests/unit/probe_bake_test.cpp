@@ -1,8 +1,10 @@
 #include "renderer/raytrace/probe_bake.h"
 
 #include "engine/jobs/tbb_jobs.h"
-#include "tests/support/random.h"
 #include "interop/brdf.h"
+#include "renderer/frame/brdf_table.h"
+#include "renderer/raytrace/path_tracer.h"
+#include "tests/support/random.h"
 #include "tests/support/shapes.h"
 #include "tests/support/thread_jobs.h"
 

@@ -1,10 +1,10 @@
 #pragma once
-// A scene file in a renderer of its own, without the command-line tool, for tests that look at pictures.
+// Frames of a scene file, for tests that look at pictures.
 
 #include "engine/assets/model.h"
-#include "renderer/capture/picture.h"
 #include "renderer/renderer.h"
 #include "renderer/scene_bridge/scene_bridge.h"
+#include "renderer/scene_bridge/scene_defaults.h"
 
 #include <memory>
 #include <string>
@@ -13,22 +13,27 @@ namespace rushlight {
 
 /// What a picture shows, beside the scene.
 struct SceneView {
-    std::string camera;       ///< by name; empty: the first of the file, else one that frames the scene
+    std::string camera;  ///< by name; empty: the first of the file, else one that frames the scene
     uint32_t width = 320;
     uint32_t height = 180;
     FrameSettings settings;
 };
 
+/// A scene file in a renderer; without lights and environment it gets those of scene_defaults.h. A
+/// file's own image-based light, its reflection probes and baked light are not used: `rushlight
+/// check` knows these.
 class SceneFrames {
 public:
-    /// Loads and uploads the scene; `environment` is an .hdr or .exr file, or empty. `renderer` must outlive this.
+    /// Loads and uploads the scene; `environment` is an .hdr or .exr file, or empty. `renderer`
+    /// must outlive this.
     static Result<std::unique_ptr<SceneFrames>> open(Renderer& renderer, const std::string& scene,
                                                      const std::string& environment);
     ~SceneFrames();
 
-    /// The input of a frame; its spans stay good while this lives.
-    Result<void> fill(const SceneView& view, FrameInput& input) const;
+    /// The input of a frame; its spans are good until the next call.
+    Result<void> fill(const SceneView& view, FrameInput& input);
     Result<CapturedImage> render(const SceneView& view, const FrameOptions& options = {});
+    Renderer& renderer() const { return renderer_; }
 
 private:
     explicit SceneFrames(Renderer& renderer) : renderer_(renderer) {}
@@ -39,9 +44,7 @@ private:
     assets::Model model_;
     std::unique_ptr<SceneBridge> bridge_;
     EnvironmentHandle environment_;
+    DefaultLights lights_;
 };
-
-/// As a file with these pixels reads; only of opaque pictures.
-Picture pictureOf(const CapturedImage& image);
 
 }  // namespace rushlight
