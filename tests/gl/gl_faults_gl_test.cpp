@@ -10,8 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
-#include <optional>
+#include <thread>
 
 namespace rushlight {
 namespace {
@@ -256,6 +257,39 @@ TEST_F(GlFaultsGl, MemoryThatCannotBeMappedIsNoCrash) {
     sweep(GlFault::mapping, false, [](const Error& error) {
         EXPECT_TRUE(isSentence(error.message)) << error.text();
     });
+}
+
+// There the frame that fails is executed after render() has returned.
+TEST_F(GlFaultsGl, AFrameThatFailsOnTheServingThreadIsTheNextOnesError) {
+    RendererDesc desc;
+    desc.loadGl = FaultyGl::load;
+    desc.cacheDirectory = cache_.path();
+    desc.renderThread = true;
+    const auto renderer = std::move(Renderer::create(desc).value());
+    std::thread game([&] {
+        const auto draw = [&] {
+            const auto ticket = renderer->renderOffscreen({}, kWidth, kHeight, CaptureKind::display);
+            renderer->finish();
+            return ticket;
+        };
+        CapturedImage image;
+        EXPECT_TRUE(renderer->takeCapture(draw().value(), true, image));
+        FaultyGl::set(GlFault::framebuffer, 1);
+        // Another size has framebuffers of its own.
+        const auto failed = renderer->renderOffscreen({}, kWidth * 2, kHeight, CaptureKind::display);
+        ASSERT_TRUE(failed) << failed.error().text();
+        EXPECT_FALSE(renderer->takeCapture(*failed, true, image));
+        const auto told = draw();
+        ASSERT_FALSE(told);
+        EXPECT_NE(told.error().message.find("framebuffer"), std::string::npos) << told.error().text();
+        const auto again = draw();
+        ASSERT_TRUE(again) << again.error().text();
+        EXPECT_TRUE(renderer->takeCapture(*again, true, image));
+        EXPECT_EQ(image.width, kWidth);
+        renderer->stopServing();
+    });
+    EXPECT_TRUE(renderer->serve());
+    game.join();
 }
 
 // Shaders do not come from the cache here.
