@@ -118,6 +118,36 @@ TEST(AssetsLoad, NormalisedAndStridedColours) {
     EXPECT_EQ(model.geometries[0].colors[1], vec4(0, 1, 0.4f, 1));
 }
 
+// glTF 2.0, section 3.6.2.2: c / 127 and c / 32767, and what is lower is -1.
+TEST(AssetsLoad, NormalisedSignedIntegers) {
+    const auto rotations = [](auto values, int componentType) {
+        const TempFolder folder;
+        SmallGltf gltf = fullTriangle();
+        const int output = gltf.add(values, componentType, "VEC4", 4);
+        gltf.json["accessors"][size_t(output)]["normalized"] = true;
+        Json& animation = gltf.json["animations"][0];
+        animation["channels"].push_back(
+            {{"sampler", animation["samplers"].size()}, {"target", {{"node", 2}, {"path", "rotation"}}}});
+        animation["samplers"].push_back({{"input", 7}, {"output", output}});
+        const Model model = mustLoad(gltf, folder);
+        return model.animations[0].channels.back().values;
+    };
+    const auto bytes = rotations(std::vector<int8_t>{0, 0, 0, 127, -128, 0, 0, 64, -127, 1, 0, 0}, 5120);
+    const auto shorts =
+        rotations(std::vector<int16_t>{0, 0, 0, 32767, -32768, 0, 0, 16384, -32767, 1, 0, 0}, 5122);
+    ASSERT_EQ(bytes.size(), 12u);
+    ASSERT_EQ(shorts.size(), 12u);
+    for (const auto* values : {&bytes, &shorts}) {
+        const bool isByte = values == &bytes;
+        const float most = isByte ? 127 : 32767;
+        EXPECT_EQ((*values)[3], 1);
+        EXPECT_EQ((*values)[4], -1);
+        EXPECT_EQ((*values)[7], (isByte ? 64 : 16384) / most);
+        EXPECT_EQ((*values)[8], -1);
+        EXPECT_EQ((*values)[9], 1 / most);
+    }
+}
+
 TEST(AssetsLoad, UrisAreDecoded) {
     const TempFolder folder;
     SmallGltf gltf = fullTriangle();
