@@ -6,6 +6,7 @@
 #include <GL/glcorearb.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <thread>
 
@@ -93,6 +94,38 @@ TEST_F(Metamorphic, InstancesOfTheFrameOrOfAWorld) {
         input.instances = std::span(scene.instances).first(half);
         expectSame(before, picture(input));
         renderer().destroy(world);
+    }
+}
+
+// Two worlds that were made alike, of one extent, differ in a place. Nothing that was kept of one is shown of the other.
+TEST_F(Metamorphic, TwoWorldsInTurn) {
+    for (const uint64_t seed : {2, 4}) {
+        SCOPED_TRACE(seed);
+        VariedScene scene(renderer(), seed);
+        for (Instance& instance : scene.instances) instance.flags &= ~uint32_t(kInstanceMoving);
+        // A sun for them, straight from above, and something in the middle to cast.
+        scene.suns = {{vec3(0.1f, -1, 0.05f), vec3(3), true}};
+        Instance& caster = scene.instances.back();
+        std::array<WorldHandle, 2> worlds;
+        std::vector<InstanceHandle> handles(scene.instances.size());
+        for (int i = 0; i < 2; ++i) {
+            caster.worldFromLocal = mat4x3(2.0f);
+            caster.worldFromLocal[3] = vec3(i ? 4 : -4, -3, 2);
+            worlds[size_t(i)] = renderer().createWorld();
+            ASSERT_TRUE(renderer().addInstances(worlds[size_t(i)], scene.instances, handles));
+        }
+        const auto show = [&](int world, bool caching) {
+            scene.settings.shadowCaching = caching;
+            FrameInput input = scene.frame(0);
+            input.instances = {};
+            input.world = worlds[size_t(world)];
+            input.view.viewFromWorld = glm::lookAt(vec3(0, 9, 12), vec3(0, -6, 0), vec3(0, 1, 0));
+            return picture(input);
+        };
+        const std::array<Pictures, 2> alone = {show(0, false), show(1, false)};
+        EXPECT_FALSE(alone[0] == alone[1]);
+        for (const int world : {0, 1, 0, 1}) expectSame(alone[size_t(world)], show(world, true));
+        for (const WorldHandle world : worlds) renderer().destroy(world);
     }
 }
 
