@@ -239,6 +239,27 @@ TEST_F(PostGlTest, FxaaSmoothsStairsAndLeavesFlatsAlone) {
     EXPECT_LE(between, edges);
 }
 
+TEST_F(PostGlTest, APictureMayHaveItsTopRowFirst) {
+    const auto color = [](uint32_t, uint32_t y) { return vec4(y < 16 ? 1 : 0, y < 16 ? 0 : 1, 0, 1); };
+    const TextureHandle source = radiance(color);
+    TonemapPass pass(*device_);
+    for (const bool topRowFirst : {false, true}) {
+        begin();
+        FinalTarget final = target();
+        final.topRowFirst = topRowFirst;
+        TonemapPass::Inputs inputs;
+        inputs.radiance = import(source, Format::rgba16f);
+        inputs.settings = &settings_;
+        inputs.target = final;
+        inputs.data = &commands_;
+        ASSERT_TRUE(pass.add(*plan_, inputs));
+        const ReadbackImage image = run(final.image);
+        // The low rows are red.
+        EXPECT_EQ(texel(image, 5, topRowFirst ? kHeight - 3 : 2)[0], 255) << topRowFirst;
+        EXPECT_EQ(texel(image, 5, topRowFirst ? 2 : kHeight - 3)[1], 255) << topRowFirst;
+    }
+}
+
 // Pixels count from the top left, whichever row the target has first.
 TEST_F(PostGlTest, OverlayStandsUpright) {
     TextureDesc desc;

@@ -118,6 +118,23 @@ TEST(AssetsLoad, NormalisedAndStridedColours) {
     EXPECT_EQ(model.geometries[0].colors[1], vec4(0, 1, 0.4f, 1));
 }
 
+TEST(AssetsLoad, SamplersKeepEachAxisAndFilter) {
+    const TempFolder folder;
+    SmallGltf gltf = fullTriangle();
+    gltf.json["images"] = {{{"uri", "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/pLvAAAAAElFTkSuQmCC"}}};
+    gltf.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9985}}};
+    gltf.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
+    gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    const Model model = mustLoad(gltf, folder);
+    const assets::Sampler& sampler = model.materials.at(0).baseColorTexture.sampler;
+    EXPECT_EQ(sampler.wrapU, assets::Wrap::clampToEdge);
+    EXPECT_EQ(sampler.wrapV, assets::Wrap::mirroredRepeat);
+    EXPECT_EQ(sampler.magnify, assets::Filter::nearest);
+    EXPECT_EQ(sampler.minify, assets::Filter::linear);
+    EXPECT_EQ(sampler.mipmap, assets::Filter::nearest);
+    EXPECT_TRUE(sampler.useMipmaps);
+}
+
 // glTF 2.0, section 3.6.2.2: c / 127 and c / 32767, and what is lower is -1.
 TEST(AssetsLoad, NormalisedSignedIntegers) {
     const auto rotations = [](auto values, int componentType) {

@@ -305,6 +305,27 @@ TEST_F(DrawListTest, AMovingCasterChangesTheHash) {
     }
 }
 
+TEST_F(DrawListTest, LevelsOfOneMeshAreDrawsOfTheirOwn) {
+    const MeshHandle fine = *geometry.create(makeSphere(14, 21).desc());
+    const GpuMesh& mesh = *geometry.find(fine);
+    ASSERT_GT(mesh.lodCount, 1u);
+    for (int i = 0; i < 4; ++i) add(fine, {}, 4);
+    build();
+    for (size_t i = 2; i < 4; ++i) {
+        VisibleItem& item = lists.opaque.items[i];
+        item.lod = uint8_t(lists.opaque.items[0].lod ? 0 : 1);
+        item.key = opaqueKey(item.flags, 0, fine.index(), item.lod, 4);
+    }
+    lists.opaque.arrange({{nullptr, &world}}, geometry, {});
+    lists.opaque.allocate(buffer);
+    ASSERT_EQ(lists.opaque.batches.at(0).drawCount, 2u);
+    for (uint32_t i = 0; i < 2; ++i) {
+        const auto draw = data<DrawIndexedCommand>(lists.opaque.commandRange, i);
+        EXPECT_EQ(draw.instanceCount, 2u);
+        EXPECT_EQ(draw.indexCount, mesh.lods[lists.opaque.items[size_t(i) * 2].lod].indexCount);
+    }
+}
+
 // As drawn above opaqueKey, shadowKey and blendKey: each field decides before those to its right, whatever they hold.
 TEST(DrawKeys, FieldsDecideInTheirOrder) {
     struct Fields {
