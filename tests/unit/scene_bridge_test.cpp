@@ -52,6 +52,14 @@ TEST(SceneBridge, NodesThatDeformOneMeshEachHaveTheirOwn) {
     EXPECT_EQ(facts[1].bounds.high.z, 3);
 }
 
+TEST(SceneBridge, MorphWeightsMayBeNegative) {
+    SmallGltf gltf = twins();
+    gltf.json["nodes"][1]["weights"] = {-2};
+    const Bridged scene(gltf);
+    ASSERT_TRUE(scene.renderer->render(scene.frame(), {0, 16, 16}));
+    EXPECT_EQ(scene.renderer->describeInstances().at(1).bounds.low.z, -2);
+}
+
 TEST(SceneBridge, WhatMovesIsToldFromWhatStands) {
     SmallGltf gltf = twins();
     const Bridged scene(gltf);
