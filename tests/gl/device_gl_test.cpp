@@ -236,6 +236,34 @@ TEST_F(DeviceGlTest, MultiDrawReadsInstancesFromTheirFirst) {
     EXPECT_EQ(report_.passes[0].draws, 2u);
 }
 
+// OpenGL gives the names of what was deleted again.
+TEST_F(DeviceGlTest, ABufferInThePlaceOfADestroyedOneIsBoundAnew) {
+    PipelineDesc desc;
+    desc.vertexShader = "instance.vert";
+    desc.layout = VertexLayout::position;
+    const PipelineHandle id = pipeline("id.frag", desc);
+    const VertexPosition corners[4] = {{{-1, -1, 0}}, {{3, -1, 0}}, {{-1, 3, 0}}, {{-1, -1, 0}}};
+    const BufferHandle vertices = device_->createBuffer({"corners", sizeof corners}).value();
+    device_->write(vertices, 0, std::as_bytes(std::span(corners)));
+    // The first indices give nothing to be seen.
+    for (const std::array<uint32_t, 3>& indices : {std::array{0u, 3u, 0u}, std::array{0u, 1u, 2u}}) {
+        const BufferHandle index =
+            device_->createBuffer({"indices", sizeof indices, BufferUsage::index}).value();
+        device_->write(index, 0, std::as_bytes(std::span(indices)));
+        InstanceData instance = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, 0, 10, 0, 0};
+        const BufferRange range = commands_.append(std::span<const InstanceData>(&instance, 1));
+        begin(0, target_, LoadOp::clear);
+        commands_.push(SetPipeline{id});
+        commands_.push(SetVertexStream{0, 12, {vertices, 0, 0, sizeof corners}});
+        commands_.push(SetVertexStream{3, sizeof(InstanceData), range});
+        commands_.push(SetIndexStream{{index, 0, 0, sizeof indices}});
+        commands_.push(DrawIndexed{{3, 1, 0, 0, 0}});
+        commands_.push(EndPass{0});
+        EXPECT_EQ(run(target_, 8, 8)[0], indices[1] == 3 ? 0 : 10);
+        device_->destroy(index);
+    }
+}
+
 TEST_F(DeviceGlTest, HashesFollowTheContent) {
     const PipelineHandle color = pipeline("color.frag");
     options_.hashAttachments = true;

@@ -107,6 +107,24 @@ TEST(AssetsPose, SkinIgnoresTheNodesOwnTransform) {
     EXPECT_LT(out.normals[0].x, 0);
 }
 
+TEST(AssetsPose, AJointThatMirrorsKeepsNormalsOutside) {
+    assets::Model model = chain();
+    model.skins.resize(1);
+    model.skins[0].joints = {0};
+    model.skins[0].inverseBindMatrices = {mat4(1)};
+    model.nodes.emplace_back().skin = 0;
+    model.roots = {0, 2};
+    assets::Geometry geometry = point({0, 1, 0});
+    geometry.normals = {glm::normalize(vec3(1, 2, 0))};
+    geometry.skin = {{{0, 0, 0, 0}, vec4(1, 0, 0, 0)}};
+    Pose pose = restPose(model);
+    pose.nodes[0].scale = {-1, 1, 1};
+    updateWorld(model, pose);
+    DeformedVertices out;
+    applySkinAndMorph(model, pose, 2, geometry, out);
+    EXPECT_LT(glm::length(out.normals[0] - glm::normalize(vec3(-1, 2, 0))), 1e-6f);
+}
+
 TEST(AssetsPose, MorphTargetsAddUp) {
     assets::Model model = chain();
     assets::Geometry geometry = point({0, 0, 0});
