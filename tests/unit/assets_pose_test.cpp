@@ -61,8 +61,9 @@ TEST(AssetsPose, CubicSplineScalesItsTangentsByTheInterval) {
     // 0.125 * 2 * 1 + 0.5 * 8 - 0.125 * 2 * 3 = 3.5
     assets::Model model = chain();
     animate(model, {1, AnimationPath::translation, Interpolation::cubicSpline, {0, 2},
-                    {0, 0, 0, 0, 0, 0, 1, 0, 0, 3, 0, 0, 8, 0, 0, 0, 0, 0}});
+                    {0, 0, 0, 0, 4, 0, 1, 0, 0, 3, 0, 0, 8, 4, 0, 0, 0, 0}});
     EXPECT_NEAR(translationAt(model, 1).x, 3.5f, 1e-6f);
+    EXPECT_NEAR(translationAt(model, 1).y, 4, 1e-6f) << "between equal values without tangents";
     EXPECT_EQ(translationAt(model, 0).x, 0);
     EXPECT_EQ(translationAt(model, 2).x, 8);
 }

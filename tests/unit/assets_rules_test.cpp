@@ -108,6 +108,23 @@ TEST(AssetsRules, SparseAccessors) {
           "values"}});
 }
 
+// Of three elements, 3 is one too high.
+TEST(AssetsRules, ASparseIndexIsBelowTheCount) {
+    for (const uint16_t last : {2, 3}) {
+        const TempFolder folder;
+        SmallGltf gltf = fullTriangle();
+        gltf.add<uint16_t>({0, 1, last}, 5123, "SCALAR", 1);
+        const size_t view = gltf.json["bufferViews"].size() - 1;
+        gltf.json["accessors"][0]["sparse"] = {{"count", 3},
+                                               {"indices", {{"bufferView", view}, {"componentType", 5123}}},
+                                               {"values", {{"bufferView", 0}}}};
+        const auto model = assets::loadModel(gltf.save(folder));
+        ASSERT_EQ(model.has_value(), last == 2) << (model ? "" : model.error().text());
+        if (model) continue;
+        EXPECT_NE(model.error().text().find("is 3 after 1"), std::string::npos) << model.error().text();
+    }
+}
+
 TEST(AssetsRules, Primitives) {
     const char* attributes = "/meshes/0/primitives/0/attributes";
     expectRefused({{"/accessors/1/count", "2", "attribute NORMAL has 2 elements but POSITION has 3"},
