@@ -68,6 +68,7 @@ Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& o
                                    const FrameOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     if (auto ok = device_.status(); !ok) return ok;
+    if (auto ok = checkExecuted(); !ok) return ok;  // of a frame that another thread executed
     if (auto ok = checkInput(input, output); !ok) return ok;
     const float aspect = float(output.target.width) / float(output.target.height);
     const auto camera = makeCamera(input.view, aspect);
@@ -107,7 +108,13 @@ Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& o
     fillReport(input);
     report();
     ++frameNumber_;
-    return {};
+    return device_.maxPendingFrames() == 0 ? checkExecuted() : Result<void>();
+}
+
+Result<void> FrameRenderer::checkExecuted() {
+    const Result<void> failure = device_.takeFailure();
+    if (!failure) forgetCaches();  // who knows what was drawn
+    return failure;
 }
 
 Result<void> FrameRenderer::validateCommands() {

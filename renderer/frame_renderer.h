@@ -69,6 +69,7 @@ public:
     Result<void> render(const FrameInput&, const FrameOutput&, const FrameOptions&);
     void forgetCaches() {
         shadowPass_.forget();
+        shadowAtlasPass_.forget();
         shadowGlassPass_.forget();
         shadowLights_.forget();
     }
@@ -124,6 +125,7 @@ private:
     Result<ImageId> planReflections(const FrameInput&, const CameraMatrices&,
                                     const LightingPass::Inputs&, ImageId radiance);
     Result<void> validateCommands();
+    Result<void> checkExecuted();
     void fillReport(const FrameInput&);
     void describePasses(SubmittedFrame&) const;
     template <class T>

@@ -95,7 +95,12 @@ public:
     /// An Error once the device is lost (its context was reset): everything must be made again on a new one.
     virtual Result<void> status() const { return {}; }
 
-    /// The image of a Readback command with this ticket; false while the GPU is not done, unless `wait`.
+    /// Why a frame was not executed to its end, once: the first since the last call. Memory was refused, or a
+    /// framebuffer; what it was to write is not written.
+    virtual Result<void> takeFailure() { return {}; }
+
+    /// The image of a Readback command with this ticket; false while the GPU is not done, unless `wait`. Never of a
+    /// frame that failed, nor where the driver has no memory for it.
     virtual bool takeReadback(uint32_t ticket, bool wait, ReadbackImage& image) = 0;
 
     /// Compiles pipelines again whose shader sources changed. On an error the last good program stays in use and

@@ -49,9 +49,10 @@ void ThreadedDevice::serveJobs(Lock& lock, void (*afterFrame)(void* user), void*
         lock.unlock();
         run(*job);
         if (job->frame && job->options.toHost && afterFrame) afterFrame(user);
-        Result<void> status = device_->status();
+        Result<void> status = device_->status(), failure = device_->takeFailure();
         lock.lock();
         if (!status) status_ = std::move(status);
+        if (!failure && failure_) failure_ = std::move(failure);
         if (job->frame) --pending_;
         if (job->call) job->call->done = true;
         if (job->frame || job->call) toCaller_.notify_all();
@@ -164,6 +165,14 @@ void ThreadedDevice::execute(const CommandBuffer& commands, const ExecuteOptions
 uint32_t ThreadedDevice::pendingFrames() const {
     const Lock lock(mutex_);
     return pending_;
+}
+
+Result<void> ThreadedDevice::takeFailure() {
+    {
+        const Lock lock(mutex_);
+        if (!failure_) return std::exchange(failure_, {});
+    }
+    return hasServer() ? Result<void>() : device_->takeFailure();
 }
 
 Result<void> ThreadedDevice::status() const {

@@ -99,6 +99,7 @@ public:
         call([&] { device_->finish(); });
     }
     Result<void> status() const override;
+    Result<void> takeFailure() override;
     std::vector<std::string> takeDebugMessages() override {
         return call([&] { return device_->takeDebugMessages(); });
     }
@@ -145,7 +146,7 @@ private:
     bool serving_ = false, stopping_ = false, entered_ = false;
     uint64_t sessions_ = 0;  // how often serve() was begun
     std::thread::id owner_ = std::this_thread::get_id();  // who serves, or did last, or made this
-    Result<void> status_;
+    Result<void> status_, failure_;
 };
 
 template <class F>

@@ -156,17 +156,22 @@ Result<MeshHandle> GeometryStore::insert(Prepared&& prepared, const MeshDesc& de
     const LodChain& chain = prepared.chain;
     mesh.firstVertex = families_[mesh.extended].vertices.allocate(
         mesh.vertexCount + mesh.movedCount);
-    mesh.firstIndex =
-        indexRanges_.allocate(uint32_t(desc.indices.size() + prepared.finest.size() +
-                                       chain.indices.size()));
+    const size_t indexCount = desc.indices.size() + prepared.finest.size() + chain.indices.size();
+    mesh.firstIndex = indexRanges_.allocate(uint32_t(indexCount));
     mesh.lods = chain.lods;
     mesh.lodCount = chain.count;
     mesh.groupedLods = uint32_t(prepared.facing.size());
     mesh.facing = prepared.facing.data();
     for (uint32_t i = 0; i < chain.count; ++i)
         mesh.lods[i].firstIndex += mesh.firstIndex + uint32_t(prepared.finest.size());
-    if (auto ok = reserveVertices(mesh.extended); !ok) return tl::unexpected(ok.error());
-    if (auto ok = reserveIndices(); !ok) return tl::unexpected(ok.error());
+    auto room = reserveVertices(mesh.extended);
+    if (room) room = reserveIndices();
+    if (!room) {
+        families_[mesh.extended].vertices.release(mesh.firstVertex,
+                                                  mesh.vertexCount + mesh.movedCount);
+        indexRanges_.release(mesh.firstIndex, uint32_t(indexCount));
+        return tl::unexpected(room.error());
+    }
     MeshDesc withNormals = desc;
     if (desc.normals.empty()) withNormals.normals = prepared.madeNormals;
     upload(mesh, withNormals, chain.moved, prepared.places);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace rushlight {
 namespace {
@@ -205,7 +206,8 @@ Result<void> MaterialStore::flush(bool imagesMoved) {
     });
     const uint64_t size = texels_.size() * sizeof(uvec4);
     if (size > bufferSize_) {
-        if (buffer_) device_.destroy(buffer_);
+        if (buffer_) device_.destroy(std::exchange(buffer_, {}));
+        bufferSize_ = 0;
         auto buffer = device_.createBuffer({"materials", size * 2, BufferUsage::texel});
         if (!buffer) return tl::unexpected(buffer.error());
         buffer_ = *buffer;

@@ -44,10 +44,12 @@ void ShadowSchedule::hashCasters(const Inputs& in, uint32_t index, JobSystem& jo
     }
     if (asked_.empty()) return;
     visibility_.gather({in.worlds, in.geometry, views_, 1u << index}, jobs);
+    // Two worlds may number and stamp their instances alike. Of no casters it stays 0.
+    const auto ofWorld = [whose = mixBits(in.world.value)](uint64_t hash) { return hash ? hash ^ whose : 0; };
     for (uint32_t i = 0; i < asked_.size(); ++i) {
         ShadowFace& face = *asked_[i];
-        (index == kStill ? face.stillHash : face.movingHash) = visibility_.found(i).hash;
-        (index == kStill ? face.stillGlass : face.movingGlass) = visibility_.foundGlass(i).hash;
+        (index == kStill ? face.stillHash : face.movingHash) = ofWorld(visibility_.found(i).hash);
+        (index == kStill ? face.stillGlass : face.movingGlass) = ofWorld(visibility_.foundGlass(i).hash);
         (index == kStill ? face.stillVersion : face.movingVersion) = key(face);
     }
 }

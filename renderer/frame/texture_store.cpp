@@ -56,6 +56,7 @@ Result<bool> TextureStore::flush() {
         for (uint32_t i = begin; i < end; ++i) {
             StoredImage& image = *images_.find(waiting_[i]);
             uint32_t width = image.shape.width, height = image.shape.height;
+            image.levels.resize(1);  // what did not find room may come again
             while (width > 1 || height > 1) {
                 image.levels.push_back(
                     halveImage(image.levels.back(), width, height, image.shape.srgb));
@@ -73,8 +74,11 @@ Result<bool> TextureStore::flush() {
         while (end < waiting_.size() && end - begin < kMaxLayers &&
                images_.find(waiting_[end])->shape == shape)
             ++end;
-        if (auto ok = uploadGroup(shape, std::span(waiting_).subspan(begin, end - begin)); !ok)
+        if (auto ok = uploadGroup(shape, std::span(waiting_).subspan(begin, end - begin)); !ok) {
+            waiting_.erase(waiting_.begin(), waiting_.begin() + std::ptrdiff_t(begin));
+            moved_ |= begin > 0;
             return tl::unexpected(ok.error());
+        }
         begin = end;
     }
     waiting_.clear();

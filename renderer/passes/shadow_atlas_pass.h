@@ -24,6 +24,8 @@ public:
     explicit ShadowAtlasPass(Device& device);
     ~ShadowAtlasPass();
     Result<Outputs> add(FramePlan& plan, const Inputs& inputs);
+    /// What was planned may not have been drawn: the maps hold nothing.
+    void forget() { atlasIsNew_ = layerIsNew_ = true; }
 
 private:
     struct Payload {

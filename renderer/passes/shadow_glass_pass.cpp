@@ -4,6 +4,7 @@
 #include "shaders/interop/bindings.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rushlight {
 namespace {
@@ -147,11 +148,12 @@ void ShadowGlassPass::recordAtlas(const AtlasPayload& p, PassContext& context) {
 
 Result<ImageId> ShadowGlassPass::addAtlas(FramePlan& plan, const AtlasInputs& in) {
     if (auto ok = createClear(); !ok) return tl::unexpected(ok.error());
-    const bool isNew = !atlas_ || atlasSize_ != in.size;
-    if (isNew)
+    if (!atlas_ || atlasSize_ != in.size) {
         if (auto ok = reserve(atlas_, "shadow-atlas-glass", in.size, 1); !ok)
             return tl::unexpected(ok.error());
-    atlasSize_ = in.size;
+        atlasSize_ = in.size;
+        atlasIsNew_ = true;
+    }
     const ImageId glass =
         plan.importImage({"shadow-atlas-glass", Format::rgba16f, in.size, in.size}, atlas_);
     for (const GlassDraw& draw : in.draws)
@@ -160,7 +162,8 @@ Result<ImageId> ShadowGlassPass::addAtlas(FramePlan& plan, const AtlasInputs& in
                 return tl::unexpected(ok.error());
     if (in.draws.empty()) return glass;
     // What no tile covers is written once, so that the map's hash is of known bytes.
-    const PassTargets::Color colors[] = {{glass, isNew ? LoadOp::clear : LoadOp::keep, kNothing}};
+    const LoadOp load = std::exchange(atlasIsNew_, false) ? LoadOp::clear : LoadOp::keep;
+    const PassTargets::Color colors[] = {{glass, load, kNothing}};
     PassTargets targets;
     targets.colors = colors;
     targets.depth = {in.atlas, LoadOp::keep, 0, true};

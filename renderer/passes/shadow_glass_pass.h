@@ -42,8 +42,12 @@ public:
     Result<SunOutputs> addSun(FramePlan& plan, const SunInputs& inputs);
     /// RGBA16F array of one layer.
     Result<ImageId> addAtlas(FramePlan& plan, const AtlasInputs& inputs);
-    /// Shader or mesh contents changed: nothing cached of suns' is good any more. (Of the atlas, ShadowLights knows.)
-    void forget() { contents_ = {}; }
+    /// Shader or mesh contents changed, or what was planned was not drawn: nothing cached is good any more. (Of the
+    /// atlas's squares, ShadowLights knows.)
+    void forget() {
+        contents_ = {};
+        atlasIsNew_ = true;
+    }
 
 private:
     struct AtlasPayload {
@@ -61,6 +65,7 @@ private:
     PipelineHandle clear_;
     TextureHandle sun_, atlas_;
     uint32_t resolution_ = 0, layers_ = 0, atlasSize_ = 0;
+    bool atlasIsNew_ = true;
     std::array<uint64_t, ShadowPass::kMaxViews> contents_{};
 };
 

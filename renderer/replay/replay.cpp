@@ -186,6 +186,7 @@ Result<ReadbackImage> FrameReplay::run(const ReplayOptions& options) {
     execute.timers = false;
     ExecutionReport report;
     device_.execute(commands_, execute, report);
+    if (auto failure = device_.takeFailure(); !failure) return tl::unexpected(failure.error());
     hashes_.clear();
     if (options.hashAttachments) collectHashes(report);
     ReadbackImage image;

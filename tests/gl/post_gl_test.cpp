@@ -239,6 +239,64 @@ TEST_F(PostGlTest, FxaaSmoothsStairsAndLeavesFlatsAlone) {
     EXPECT_LE(between, edges);
 }
 
+TEST_F(PostGlTest, APictureMayHaveItsTopRowFirst) {
+    const auto color = [](uint32_t, uint32_t y) { return vec4(y < 16 ? 1 : 0, y < 16 ? 0 : 1, 0, 1); };
+    const TextureHandle source = radiance(color);
+    TonemapPass pass(*device_);
+    for (const bool topRowFirst : {false, true}) {
+        begin();
+        FinalTarget final = target();
+        final.topRowFirst = topRowFirst;
+        TonemapPass::Inputs inputs;
+        inputs.radiance = import(source, Format::rgba16f);
+        inputs.settings = &settings_;
+        inputs.target = final;
+        inputs.data = &commands_;
+        ASSERT_TRUE(pass.add(*plan_, inputs));
+        const ReadbackImage image = run(final.image);
+        // The low rows are red.
+        EXPECT_EQ(texel(image, 5, topRowFirst ? kHeight - 3 : 2)[0], 255) << topRowFirst;
+        EXPECT_EQ(texel(image, 5, topRowFirst ? 2 : kHeight - 3)[1], 255) << topRowFirst;
+    }
+}
+
+// Pixels count from the top left, whichever row the target has first.
+TEST_F(PostGlTest, OverlayStandsUpright) {
+    TextureDesc desc;
+    desc.label = "coverage";
+    desc.kind = TextureKind::texture2dArray;
+    const auto array = device_->createTexture(desc);
+    ASSERT_TRUE(array);
+    const uint32_t white[] = {0xffffffff};
+    device_->write(*array, {0, 0, 1, 1, 1}, std::as_bytes(std::span(white)));
+    ImageLocation location{};
+    location.array = *array;
+    const OverlayVertex vertices[] = {{{0, 0}, {0, 0}, ~0u}, {{40, 0}, {0, 0}, ~0u}, {{0, 20}, {0, 0}, ~0u}};
+    const uint32_t indices[] = {0, 1, 2};
+    const OverlayBatch batches[] = {{0, 3, {0, 0}, {kWidth, kHeight}}};
+    Overlay overlay;
+    overlay.vertices = vertices;
+    overlay.indices = indices;
+    overlay.batches = batches;
+    for (const bool topRowFirst : {false, true}) {
+        const std::vector<uint8_t> black(kWidth * kHeight * 4, 0);
+        const TextureHandle display = upload(Format::rgba8, kWidth, kHeight, black);
+        OverlayPass pass(*device_);
+        begin();
+        FinalTarget final{import(display, Format::rgba8), kWidth, kHeight, topRowFirst};
+        ASSERT_TRUE(pass.add(*plan_, {&overlay, &location, final, &commands_}));
+        const ReadbackImage image = run(final.image);
+        const auto shown = [&](uint32_t x, uint32_t fromTop) {
+            return texel(image, x, topRowFirst ? fromTop : kHeight - 1 - fromTop)[0];
+        };
+        EXPECT_EQ(shown(2, 2), 255) << topRowFirst;
+        EXPECT_EQ(shown(30, 2), 255) << topRowFirst;
+        EXPECT_EQ(shown(2, 15), 255) << topRowFirst;
+        EXPECT_EQ(shown(30, 15), 0) << topRowFirst;
+        EXPECT_EQ(shown(2, kHeight - 3), 0) << topRowFirst;
+    }
+}
+
 TEST_F(PostGlTest, OverlayDrawsWithinItsScissor) {
     TextureDesc desc;
     desc.label = "coverage";

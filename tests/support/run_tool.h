@@ -19,11 +19,12 @@ inline std::string readAll(FILE* pipe) {
     return text;
 }
 
-/// Runs the tool; `folder` gets its standard error for a moment.
-inline Ended runTool(const std::string& folder, const std::string& arguments) {
+/// Runs the tool; `folder` gets its standard error for a moment. `before`: of the shell's, as "ulimit -t 9;".
+inline Ended runTool(const std::string& folder, const std::string& arguments,
+                     const std::string& before = {}) {
     Ended result;
     const std::string errors = folder + "/errors.txt";
-    FILE* pipe = popen((RUSHLIGHT_TOOL " " + arguments + " 2>" + errors).c_str(), "r");
+    FILE* pipe = popen((before + " " RUSHLIGHT_TOOL " " + arguments + " 2>" + errors).c_str(), "r");
     if (!pipe) return result;
     result.output = readAll(pipe);
     result.code = WEXITSTATUS(pclose(pipe));

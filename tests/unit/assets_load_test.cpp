@@ -118,6 +118,53 @@ TEST(AssetsLoad, NormalisedAndStridedColours) {
     EXPECT_EQ(model.geometries[0].colors[1], vec4(0, 1, 0.4f, 1));
 }
 
+TEST(AssetsLoad, SamplersKeepEachAxisAndFilter) {
+    const TempFolder folder;
+    SmallGltf gltf = fullTriangle();
+    gltf.json["images"] = {{{"uri", "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/pLvAAAAAElFTkSuQmCC"}}};
+    gltf.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9985}}};
+    gltf.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
+    gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    const Model model = mustLoad(gltf, folder);
+    const assets::Sampler& sampler = model.materials.at(0).baseColorTexture.sampler;
+    EXPECT_EQ(sampler.wrapU, assets::Wrap::clampToEdge);
+    EXPECT_EQ(sampler.wrapV, assets::Wrap::mirroredRepeat);
+    EXPECT_EQ(sampler.magnify, assets::Filter::nearest);
+    EXPECT_EQ(sampler.minify, assets::Filter::linear);
+    EXPECT_EQ(sampler.mipmap, assets::Filter::nearest);
+    EXPECT_TRUE(sampler.useMipmaps);
+}
+
+// glTF 2.0, section 3.6.2.2: c / 127 and c / 32767, and what is lower is -1.
+TEST(AssetsLoad, NormalisedSignedIntegers) {
+    const auto rotations = [](auto values, int componentType) {
+        const TempFolder folder;
+        SmallGltf gltf = fullTriangle();
+        const int output = gltf.add(values, componentType, "VEC4", 4);
+        gltf.json["accessors"][size_t(output)]["normalized"] = true;
+        Json& animation = gltf.json["animations"][0];
+        animation["channels"].push_back(
+            {{"sampler", animation["samplers"].size()}, {"target", {{"node", 2}, {"path", "rotation"}}}});
+        animation["samplers"].push_back({{"input", 7}, {"output", output}});
+        const Model model = mustLoad(gltf, folder);
+        return model.animations[0].channels.back().values;
+    };
+    const auto bytes = rotations(std::vector<int8_t>{0, 0, 0, 127, -128, 0, 0, 64, -127, 1, 0, 0}, 5120);
+    const auto shorts =
+        rotations(std::vector<int16_t>{0, 0, 0, 32767, -32768, 0, 0, 16384, -32767, 1, 0, 0}, 5122);
+    ASSERT_EQ(bytes.size(), 12u);
+    ASSERT_EQ(shorts.size(), 12u);
+    for (const auto* values : {&bytes, &shorts}) {
+        const bool isByte = values == &bytes;
+        const float most = isByte ? 127 : 32767;
+        EXPECT_EQ((*values)[3], 1);
+        EXPECT_EQ((*values)[4], -1);
+        EXPECT_EQ((*values)[7], (isByte ? 64 : 16384) / most);
+        EXPECT_EQ((*values)[8], -1);
+        EXPECT_EQ((*values)[9], 1 / most);
+    }
+}
+
 TEST(AssetsLoad, UrisAreDecoded) {
     const TempFolder folder;
     SmallGltf gltf = fullTriangle();

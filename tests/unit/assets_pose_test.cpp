@@ -61,8 +61,9 @@ TEST(AssetsPose, CubicSplineScalesItsTangentsByTheInterval) {
     // 0.125 * 2 * 1 + 0.5 * 8 - 0.125 * 2 * 3 = 3.5
     assets::Model model = chain();
     animate(model, {1, AnimationPath::translation, Interpolation::cubicSpline, {0, 2},
-                    {0, 0, 0, 0, 0, 0, 1, 0, 0, 3, 0, 0, 8, 0, 0, 0, 0, 0}});
+                    {0, 0, 0, 0, 4, 0, 1, 0, 0, 3, 0, 0, 8, 4, 0, 0, 0, 0}});
     EXPECT_NEAR(translationAt(model, 1).x, 3.5f, 1e-6f);
+    EXPECT_NEAR(translationAt(model, 1).y, 4, 1e-6f) << "between equal values without tangents";
     EXPECT_EQ(translationAt(model, 0).x, 0);
     EXPECT_EQ(translationAt(model, 2).x, 8);
 }
@@ -105,6 +106,24 @@ TEST(AssetsPose, SkinIgnoresTheNodesOwnTransform) {
     EXPECT_NEAR(out.positions[0].y, 0.25f * 1 + 0.75f * 2, 1e-6f);
     EXPECT_NEAR(glm::length(out.normals[0]), 1, 1e-6f);
     EXPECT_LT(out.normals[0].x, 0);
+}
+
+TEST(AssetsPose, AJointThatMirrorsKeepsNormalsOutside) {
+    assets::Model model = chain();
+    model.skins.resize(1);
+    model.skins[0].joints = {0};
+    model.skins[0].inverseBindMatrices = {mat4(1)};
+    model.nodes.emplace_back().skin = 0;
+    model.roots = {0, 2};
+    assets::Geometry geometry = point({0, 1, 0});
+    geometry.normals = {glm::normalize(vec3(1, 2, 0))};
+    geometry.skin = {{{0, 0, 0, 0}, vec4(1, 0, 0, 0)}};
+    Pose pose = restPose(model);
+    pose.nodes[0].scale = {-1, 1, 1};
+    updateWorld(model, pose);
+    DeformedVertices out;
+    applySkinAndMorph(model, pose, 2, geometry, out);
+    EXPECT_LT(glm::length(out.normals[0] - glm::normalize(vec3(-1, 2, 0))), 1e-6f);
 }
 
 TEST(AssetsPose, MorphTargetsAddUp) {

@@ -79,6 +79,20 @@ TEST(AssetsRules, Accessors) {
                    {"/bufferViews/0/byteStride", "8", "byteStride"}});
 }
 
+// Three columns of three bytes begin at multiples of four: two such matrices take 23 bytes.
+TEST(AssetsRules, ColumnsOfSmallMatricesArePadded) {
+    for (const size_t bytes : {18u, 22u, 23u}) {
+        const TempFolder folder;
+        SmallGltf gltf = fullTriangle();
+        const int accessor = gltf.add(std::vector<uint8_t>(bytes), 5121, "MAT3", 9);
+        gltf.json["accessors"][size_t(accessor)]["count"] = 2;
+        const auto model = assets::loadModel(gltf.save(folder));
+        ASSERT_EQ(model.has_value(), bytes == 23) << bytes;
+        if (model) continue;
+        EXPECT_NE(model.error().text().find("needs 23 bytes"), std::string::npos) << model.error().text();
+    }
+}
+
 TEST(AssetsRules, SparseAccessors) {
     const char* sparse = "/accessors/0/sparse";
     expectRefused(
@@ -92,6 +106,23 @@ TEST(AssetsRules, SparseAccessors) {
           "componentType"},
          {sparse, R"({"count":3,"indices":{"bufferView":3,"componentType":5123},"values":{"bufferView":3}})",
           "values"}});
+}
+
+// Of three elements, 3 is one too high.
+TEST(AssetsRules, ASparseIndexIsBelowTheCount) {
+    for (const uint16_t last : {2, 3}) {
+        const TempFolder folder;
+        SmallGltf gltf = fullTriangle();
+        gltf.add<uint16_t>({0, 1, last}, 5123, "SCALAR", 1);
+        const size_t view = gltf.json["bufferViews"].size() - 1;
+        gltf.json["accessors"][0]["sparse"] = {{"count", 3},
+                                               {"indices", {{"bufferView", view}, {"componentType", 5123}}},
+                                               {"values", {{"bufferView", 0}}}};
+        const auto model = assets::loadModel(gltf.save(folder));
+        ASSERT_EQ(model.has_value(), last == 2) << (model ? "" : model.error().text());
+        if (model) continue;
+        EXPECT_NE(model.error().text().find("is 3 after 1"), std::string::npos) << model.error().text();
+    }
 }
 
 TEST(AssetsRules, Primitives) {

@@ -31,6 +31,16 @@ TEST(CommandBuffer, UploadsAreAlignedAndKeepTheirBytes) {
     EXPECT_EQ(std::memcmp(buffer.bytes(second).data(), words, 8), 0);
 }
 
+// Else a saved frame would hold something of the frames before.
+TEST(CommandBuffer, WhatLiesBetweenUploadsIsZero) {
+    CommandBuffer commands;
+    std::ranges::fill(commands.bytes(commands.allocate(1000)), std::byte(0xab));
+    commands.clear();
+    const BufferRange first = commands.allocate(3), second = commands.allocate(5);
+    for (uint64_t i = first.offset + first.size; i < second.offset; ++i)
+        ASSERT_EQ(commands.data()[i], std::byte{}) << i;
+}
+
 TEST(CommandBuffer, CommandsComeBackInOrderAcrossAppends) {
     CommandBuffer frame, part;
     part.push(Draw{3, 2, 1});

@@ -2,11 +2,14 @@
 
 #include "renderer/frame/surface_variant.h"
 #include "tests/support/memory_device.h"
+#include "tests/support/random.h"
 #include "tests/support/shapes.h"
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <limits>
+#include <tuple>
 
 namespace rushlight {
 namespace {
@@ -299,6 +302,55 @@ TEST_F(DrawListTest, AMovingCasterChangesTheHash) {
         instances[0].worldFromLocal[3].x += 0.01f;
         build();
         EXPECT_NE(shadow().contentHash(), before);
+    }
+}
+
+TEST_F(DrawListTest, LevelsOfOneMeshAreDrawsOfTheirOwn) {
+    const MeshHandle fine = *geometry.create(makeSphere(14, 21).desc());
+    const GpuMesh& mesh = *geometry.find(fine);
+    ASSERT_GT(mesh.lodCount, 1u);
+    for (int i = 0; i < 4; ++i) add(fine, {}, 4);
+    build();
+    for (size_t i = 2; i < 4; ++i) {
+        VisibleItem& item = lists.opaque.items[i];
+        item.lod = uint8_t(lists.opaque.items[0].lod ? 0 : 1);
+        item.key = opaqueKey(item.flags, 0, fine.index(), item.lod, 4);
+    }
+    lists.opaque.arrange({{nullptr, &world}}, geometry, {});
+    lists.opaque.allocate(buffer);
+    ASSERT_EQ(lists.opaque.batches.at(0).drawCount, 2u);
+    for (uint32_t i = 0; i < 2; ++i) {
+        const auto draw = data<DrawIndexedCommand>(lists.opaque.commandRange, i);
+        EXPECT_EQ(draw.instanceCount, 2u);
+        EXPECT_EQ(draw.indexCount, mesh.lods[lists.opaque.items[size_t(i) * 2].lod].indexCount);
+    }
+}
+
+// As drawn above opaqueKey, shadowKey and blendKey: each field decides before those to its right, whatever they hold.
+TEST(DrawKeys, FieldsDecideInTheirOrder) {
+    struct Fields {
+        uint32_t flags, set, mesh, lod;
+        float depth;
+    };
+    Random random(5);
+    const auto make = [&] {
+        const float depths[] = {1, 1.1f, 1.3f, 2, 500};
+        // few values, so that fields are often equal; with the highest bit and the lowest
+        const auto pick = [&](uint32_t most) { return random.below(2) ? most * random.below(2) : random.below(2); };
+        return Fields{pick(0xffff), pick(0x3ff), pick(0xfffff), pick(7), depths[random.below(5)]};
+    };
+    const auto coarse = [](float depth) { return std::bit_cast<uint32_t>(depth) >> 21; };  // exponent and two bits
+    for (int i = 0; i < 5000; ++i) {
+        const Fields a = make(), b = make();
+        const auto opaque = [&](const Fields& f) {
+            return std::tuple(f.flags, f.set, coarse(f.depth), f.mesh, f.lod, f.depth);
+        };
+        const auto caster = [](const Fields& f) { return std::tuple(f.flags, f.set, f.mesh, f.lod); };
+        const auto opaqueOf = [](const Fields& f) { return opaqueKey(f.flags, f.set, f.mesh, f.lod, f.depth); };
+        const auto casterOf = [](const Fields& f) { return shadowKey(f.flags, f.set, f.mesh, f.lod); };
+        ASSERT_EQ(opaqueOf(a) < opaqueOf(b), opaque(a) < opaque(b));
+        ASSERT_EQ(casterOf(a) < casterOf(b), caster(a) < caster(b));
+        ASSERT_EQ(blendKey(a.depth) < blendKey(b.depth), a.depth > b.depth);
     }
 }
 

@@ -116,6 +116,10 @@ TEST_F(FrameFile, TruncatedAnywhereIsRefused) {
     auto longer = file;
     longer.push_back({});
     EXPECT_NE(refusal(longer), "accepted");
+    // Nor where the header promises the byte.
+    const uint64_t size = longer.size();
+    std::memcpy(longer.data() + 16, &size, sizeof size);
+    EXPECT_NE(refusal(longer).find("after the last blob"), std::string::npos) << refusal(longer);
 }
 
 TEST_F(FrameFile, EveryFlippedBitIsRefused) {

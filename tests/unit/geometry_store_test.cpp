@@ -167,6 +167,19 @@ TEST_F(GeometryStoreTest, BoundsAndFlagsComeFromTheData) {
     EXPECT_FALSE(mesh.hasTangents);
 }
 
+TEST_F(GeometryStoreTest, VertexColoursAreClampedToWhatTheyAreKeptIn) {
+    const Shape cube = makeCube();
+    const std::vector<vec4> colors(cube.positions.size(), vec4(2, -1, 0.5f, 1));
+    MeshDesc desc = cube.desc();
+    desc.colors = colors;
+    const GpuMesh& mesh = *store.find(*store.create(desc));
+    const auto extra = device.read<VertexExtra>(store.streams(true).extras, mesh.firstVertex);
+    EXPECT_EQ(extra.color[0], 65535);
+    EXPECT_EQ(extra.color[1], 0);
+    EXPECT_EQ(extra.color[2], 32768);
+    EXPECT_EQ(extra.color[3], 65535);
+}
+
 TEST_F(GeometryStoreTest, UpdatesMoveVerticesAndBounds) {
     Shape cube = makeCube();
     const MeshHandle handle = *store.create(cube.desc());

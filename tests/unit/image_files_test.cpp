@@ -73,6 +73,25 @@ TEST_F(ImageFiles, PngKeepsStraightAlphaAndLoadsPremultiplied) {
     }
 }
 
+// Two pixels of grey and alpha: 100, 51 and 200, 255.
+TEST_F(ImageFiles, GreyWithAlphaKeepsBoth) {
+    constexpr unsigned char kPng[] = {
+        0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00,
+        0x00, 0x02, 0x00, 0x00, 0x00, 0x01, 0x08, 0x04, 0x00, 0x00, 0x00, 0x5e, 0x2b, 0xb7, 0x01, 0x00, 0x00, 0x00,
+        0x0d, 0x49, 0x44, 0x41, 0x54, 0x78, 0x9c, 0x63, 0x48, 0x31, 0x3e, 0xf1, 0x1f, 0x00, 0x04, 0xbd, 0x02, 0x5f,
+        0x9d, 0x0c, 0x59, 0xed, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+    std::ofstream(at("grey.png"), std::ios::binary)
+        .write(reinterpret_cast<const char*>(kPng), sizeof kPng);
+    const auto picture = loadPicture(at("grey.png"));
+    ASSERT_TRUE(picture) << picture.error().text();
+    const float expected[] = {100, 100, 100, 51, 200, 200, 200, 255};
+    ASSERT_EQ(picture->rgba.size(), 8u);
+    for (size_t i = 0; i < 8; ++i) {
+        const float alpha = expected[i | 3] / 255;
+        EXPECT_NEAR(picture->rgba[i], i % 4 == 3 ? alpha : expected[i] / 255 * alpha, 1e-4f) << i;
+    }
+}
+
 TEST_F(ImageFiles, OpaquePngHasNoAlphaChannel) {
     // Byte 25 of a PNG is its colour type: 2 RGB, 6 RGBA (PNG specification, 11.2.2).
     for (const bool opaque : {true, false}) {

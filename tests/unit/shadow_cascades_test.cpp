@@ -1,5 +1,6 @@
 #include "renderer/frame/shadow_cascades.h"
 
+#include "shaders/interop/frame_uniforms.h"
 #include "tests/support/random.h"
 
 #include <gtest/gtest.h>
@@ -158,6 +159,39 @@ TEST(ShadowCascades, OneNeedNotBeLargerThanTheScene) {
                 EXPECT_GE(ndc.z, 0);
                 EXPECT_LE(ndc.z, 1);
             }
+}
+
+// sunVisibility of shaders/common/sun_shadow.glsl looks into the coarser cascade too where the finer one fades into it.
+TEST(ShadowCascades, WhatIsLeftToAFinerOneIsBeyondTheBandWhereItFades) {
+    Random random(8);
+    int left = 0;
+    for (int light = 0; light < 6; ++light) {
+        vec3 direction = random.direction();
+        direction.y = -std::abs(direction.y) - 0.2f;
+        ShadowCascadeDesc desc = descFor(direction);
+        desc.rim = RL_SHADOW_RIM;
+        const vec3 eye(0, 6, 0);
+        const ShadowCascades cascades = makeShadowCascades(cameraAt(eye, eye + vec3(3, -1, -8)), desc);
+        for (int i = 0; i < 4000; ++i) {
+            const uint32_t index = 1 + random.below(3);
+            const vec3 center = eye + random.vector(-40, 40), half(random.uniform(0.05f, 1));
+            if (!cascades.isFinerElsewhere(index, center, half)) continue;
+            ++left;
+            // In some finer cascade every point of the box is that far from the rim.
+            float best = -1;
+            for (uint32_t finer = 0; finer < index; ++finer) {
+                float least = 1;
+                for (int corner = 0; corner < 8; ++corner) {
+                    const vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+                    const vec3 uv = project(cascades.cascades[finer], center + sign * half) * 0.5f;
+                    least = std::min(least, 0.5f - std::max(std::abs(uv.x), std::abs(uv.y)));
+                }
+                best = std::max(best, least);
+            }
+            EXPECT_GE(best, float(RL_SHADOW_RIM) / 512 + float(RL_CASCADE_BAND));
+        }
+    }
+    EXPECT_GT(left, 100);
 }
 
 }  // namespace

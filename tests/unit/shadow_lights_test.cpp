@@ -240,5 +240,19 @@ TEST_F(ShadowLightsTest, TheSizeFollowsTheCameraReluctantly) {
     EXPECT_LE(changes, 2u);
 }
 
+// Right, up and the way a spot shines: at right angles, of length 1, and turned as the eye's are.
+TEST(ShadowViews, ASpotsAxesAreAtRightAngles) {
+    Random random(4);
+    for (int i = 0; i < 200; ++i) {
+        const vec3 n = i < 2 ? vec3(0, 0, i ? -1 : 1) : random.direction();
+        vec3 right, up;
+        spotBasis(n, right, up);
+        EXPECT_NEAR(glm::dot(up, n), 0, 1e-5f);
+        EXPECT_NEAR(glm::dot(right, n), 0, 1e-5f);
+        EXPECT_NEAR(glm::length(up), 1, 1e-5f);
+        EXPECT_LT(glm::length(glm::cross(n, up) - right), 1e-5f);
+    }
+}
+
 }  // namespace
 }  // namespace rushlight

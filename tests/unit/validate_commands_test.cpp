@@ -315,6 +315,16 @@ TEST_F(Validator, PassesAreBalanced) {
     commands.clear();
     commands.push(EndPass{});
     EXPECT_EQ(check(commands), "command 1 (EndPass): No pass has begun.");
+    {  // of two passes, 2 is one too high
+        CommandBuffer changed;
+        changed.append(small.commands.data());
+        visitCommands(small.commands, [&](auto command) {
+            if constexpr (requires { command.passIndex; })
+                if (command.passIndex == 1) command.passIndex = 2;
+            changed.push(command);
+        });
+        EXPECT_NE(check(changed).find("Its index is 2; there are 2 passes"), std::string::npos);
+    }
     EXPECT_NE(with<EndPass>([](EndPass& c) { if (c.passIndex == 1) c.passIndex = 0; })
                   .find("It ends pass 0, where pass 1 is open"), std::string::npos);
     EXPECT_NE(without<EndPass>([](const EndPass& c) { return c.passIndex == 0; })

@@ -103,11 +103,12 @@ TEST_F(VisibilityTest, NearASwitchTheLevelStays) {
 TEST_F(VisibilityTest, WhatIsSmallerThanAPixelIsLeftOut) {
     add(cube, {0, 0, -50}, 0.01f);
     add(cube, {1, 0, -50}, 0.05f);
+    add(cube, {-1, 0, -50}, 0.025f);  // 1.5 pixels across, corner to corner; half of that from its middle
     const Visibility::Counts counts = gather();
     EXPECT_EQ(counts.culledSmall, 1u);
-    EXPECT_EQ(counts.visible, 1u);
+    EXPECT_EQ(counts.visible, 2u);
     settings.smallObjectPixels = 0;
-    EXPECT_EQ(gather().visible, 2u);
+    EXPECT_EQ(gather().visible, 3u);
 }
 
 TEST_F(VisibilityTest, AWallHidesWhatIsBehindIt) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace rushlight {
 namespace {
@@ -66,20 +67,21 @@ public:
             if (unit.texture) gl_.DeleteTextures(1, &unit.texture);
     }
 
+    Result<void> prepare() { return isLost() ? status_ : ring_.prepare(); }
     std::string_view name() const override { return name_; }
     std::string_view version() const override { return version_; }
 
     Result<BufferHandle> createBuffer(const BufferDesc& desc) override {
         if (isLost()) return tl::unexpected(status_.error());
-        return validate(desc, limits_).map([&] {
-            return resources_.buffers.insert(resources_.createBuffer(desc));
-        });
+        if (auto valid = validate(desc, limits_); !valid) return tl::unexpected(valid.error());
+        return resources_.createBuffer(desc).map(
+            [&](GlBuffer&& made) { return resources_.buffers.insert(std::move(made)); });
     }
     Result<TextureHandle> createTexture(const TextureDesc& desc) override {
         if (isLost()) return tl::unexpected(status_.error());
-        return validate(desc, limits_).map([&] {
-            return resources_.textures.insert(resources_.createTexture(desc));
-        });
+        if (auto valid = validate(desc, limits_); !valid) return tl::unexpected(valid.error());
+        return resources_.createTexture(desc).map(
+            [&](GlTexture&& made) { return resources_.textures.insert(std::move(made)); });
     }
     SamplerHandle createSampler(const SamplerDesc& desc) override;
     Result<PipelineHandle> createPipeline(const PipelineDesc& desc) override;
@@ -106,6 +108,7 @@ public:
         return !isLost() && readback_.take(ticket, wait, image);
     }
     Result<void> status() const override { return status_; }
+    Result<void> takeFailure() override { return std::exchange(failure_, {}); }
     Result<uint32_t> reloadShaders() override { return programs_.reload(); }
     void finish() override { gl_.Finish(); }
     std::vector<std::string> takeDebugMessages() override { return debug_.take(); }
@@ -113,6 +116,7 @@ public:
 private:
     void forgetBuffer(GLuint name);
     bool isLost();
+    void note(const Result<void>& outcome);
 
     std::unique_ptr<GlFunctions> functions_;
     GlFunctions& gl_;
@@ -128,7 +132,7 @@ private:
     GlTimers timers_;
     GlReadback readback_;
     GlTexelUnits texelUnits_{};
-    Result<void> status_;
+    Result<void> status_, failure_;
 };
 
 bool GlDevice::isLost() {
@@ -143,6 +147,12 @@ bool GlDevice::isLost() {
                                  "in a new context.",
                    ErrorKind::noContext);
     return true;
+}
+
+// Of a context that is gone that is the reason, and not what came of it.
+void GlDevice::note(const Result<void>& outcome) {
+    if (outcome || isLost()) return;
+    if (failure_) failure_ = outcome;
 }
 
 SamplerHandle GlDevice::createSampler(const SamplerDesc& desc) {
@@ -291,14 +301,18 @@ void GlDevice::execute(const CommandBuffer& commands, const ExecuteOptions& opti
     if (isLost()) return;
     state_.resetCount();
 
-    ring_.begin(commands.data());
+    const Result<void> room = ring_.begin(commands.data());
     if (const GLuint replaced = ring_.takeReplaced()) forgetBuffer(replaced);
+    if (!room) return note(room);
     state_.invalidate();
     timers_.beginFrame(options.timers);
     GlExecutor executor({gl_, state_, resources_, programs_, vertexArrays_, ring_, timers_,
                          readback_, texelUnits_},
                         options, report);
-    visitCommands(commands, executor);
+    visitCommands(commands, [&](const auto& command) {
+        if (executor.outcome()) executor(command);
+    });
+    note(executor.outcome());
     timers_.endFrame();
     state_.resetToDefaults();
     ring_.end();
@@ -318,7 +332,9 @@ Result<std::unique_ptr<Device>> createGlDevice(const GlDeviceDesc& desc) {
     auto functions = std::make_unique<GlFunctions>();
     if (Result<void> loaded = functions->load(desc.load); !loaded)
         return tl::unexpected(loaded.error());
-    return std::unique_ptr<Device>(std::make_unique<GlDevice>(std::move(functions), desc));
+    auto device = std::make_unique<GlDevice>(std::move(functions), desc);
+    if (Result<void> ready = device->prepare(); !ready) return tl::unexpected(ready.error());
+    return std::unique_ptr<Device>(std::move(device));
 }
 
 }  // namespace rushlight

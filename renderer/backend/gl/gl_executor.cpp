@@ -28,8 +28,19 @@ GlExecutor::Source GlExecutor::resolve(const BufferRange& range) const {
 
 void GlExecutor::operator()(const BeginPass& command) {
     RL_CHECK(!pass_, "a pass begins inside of another");
-    pass_ = &command;
     passBegan_ = counted();
+    const bool anyTexture = command.depth.texture || command.colors[0].texture;
+    toFrameTarget_ = command.toFrameTarget || (command.colorCount > 0 && !anyTexture);
+    GLuint framebuffer = 0;
+    if (!toFrameTarget_ && anyTexture) {
+        const Result<GLuint> found = parts_.resources.framebuffer(command);
+        if (!found) {
+            outcome_ = tl::unexpected(found.error());
+            return;
+        }
+        framebuffer = *found;
+    }
+    pass_ = &command;
     if (report_.passes.size() <= command.passIndex) report_.passes.resize(command.passIndex + 1);
     if (options_.debugGroups) {
         const std::string_view name = nameOf(command);
@@ -37,12 +48,9 @@ void GlExecutor::operator()(const BeginPass& command) {
     }
     if (options_.timers) parts_.timers.beginPass(nameOf(command));
 
-    const bool anyTexture = command.depth.texture || command.colors[0].texture;
-    toFrameTarget_ = command.toFrameTarget || (command.colorCount > 0 && !anyTexture);
     if (toFrameTarget_) {
         state_.bindFramebuffer(options_.target.framebuffer);
     } else if (anyTexture) {
-        const GLuint framebuffer = parts_.resources.framebuffer(command);
         state_.bindFramebuffer(framebuffer);
         load(command, framebuffer);
     }
@@ -230,10 +238,11 @@ void GlExecutor::operator()(const MultiDrawIndexed& command) {
 
 void GlExecutor::operator()(const Readback& command) {
     if (!command.texture)
-        parts_.readback.copyTarget(command.ticket, state_, options_.target);
+        outcome_ = parts_.readback.copyTarget(command.ticket, state_, options_.target);
     else
-        parts_.readback.copyTexture(command.ticket, parts_.resources.texture(command.texture),
-                                    command.layer, command.mipLevel);
+        outcome_ = parts_.readback.copyTexture(command.ticket,
+                                               parts_.resources.texture(command.texture),
+                                               command.layer, command.mipLevel);
 }
 
 }  // namespace rushlight

@@ -45,6 +45,9 @@ public:
         uint32_t calls = 0, changes = 0;
         double ms = 0;
     };
+    /// An Error where a pass had no framebuffer or a picture no memory to come back in: no command may follow.
+    const Result<void>& outcome() const { return outcome_; }
+
     /// What was done to look into passes, and is no part of the frame.
     const Count& looking() const { return looking_; }
 
@@ -89,6 +92,7 @@ private:
     ExecutionReport& report_;
     const BeginPass* pass_ = nullptr;  ///< in the command buffer
     bool toFrameTarget_ = false;
+    Result<void> outcome_;
     const GlPipeline* pipeline_ = nullptr;
     GlVertexArrays::Streams streams_{};
     Source indices_;

@@ -28,9 +28,10 @@ Result<void> checkVersion(const GlFunctions& gl) {
 Result<void> GlFunctions::load(GlLoad loader) {
     if (!loader) return noContext("A loader of OpenGL functions is needed, but it is null.");
     // The version first: an old context is better named by its version than by a missing function.
-    if (!GetString.load(loader, "glGetString", &calls) ||
-        !GetIntegerv.load(loader, "glGetIntegerv", &calls))
-        return noContext("The loader does not know glGetString; is a context current?");
+    const bool hasStrings = GetString.load(loader, "glGetString", &calls);
+    if (!hasStrings || !GetIntegerv.load(loader, "glGetIntegerv", &calls))
+        return noContext(std::string("The loader does not know ") +
+                         (hasStrings ? "glGetIntegerv" : "glGetString") + "; is a context current?");
     if (Result<void> version = checkVersion(*this); !version) return version;
     std::string missing;
 #define RL_GL_LOAD(name, type)                       \

@@ -93,8 +93,10 @@ private:
     X(FrontFace, FRONTFACE)                                     \
     X(GetActiveUniform, GETACTIVEUNIFORM)                       \
     X(GetActiveUniformBlockiv, GETACTIVEUNIFORMBLOCKIV)         \
+    X(GetError, GETERROR)                                       \
     X(GetGraphicsResetStatus, GETGRAPHICSRESETSTATUS)           \
     X(GetIntegerv, GETINTEGERV)                                 \
+    X(GetNamedBufferParameteriv, GETNAMEDBUFFERPARAMETERIV)     \
     X(GetNamedBufferSubData, GETNAMEDBUFFERSUBDATA)             \
     X(GetPointerv, GETPOINTERV)                                 \
     X(GetProgramBinary, GETPROGRAMBINARY)                       \
@@ -106,6 +108,7 @@ private:
     X(GetShaderiv, GETSHADERIV)                                 \
     X(GetString, GETSTRING)                                     \
     X(GetStringi, GETSTRINGI)                                   \
+    X(GetTextureParameteriv, GETTEXTUREPARAMETERIV)             \
     X(GetTextureSubImage, GETTEXTURESUBIMAGE)                   \
     X(GetUniformLocation, GETUNIFORMLOCATION)                   \
     X(GetUniformiv, GETUNIFORMIV)                               \

@@ -1,6 +1,7 @@
 #include "renderer/backend/gl/gl_readback.h"
 
 #include "renderer/backend/gl/gl_enums.h"
+#include "renderer/backend/gl/gl_storage.h"
 #include "renderer/backend/validate.h"
 
 #include <algorithm>
@@ -53,26 +54,32 @@ GlReadback::~GlReadback() {
     }
 }
 
-GlReadback::Slot& GlReadback::open(uint32_t ticket, Format format, uint32_t width,
-                                   uint32_t height) {
+Result<void> GlReadback::reserve(Slot& slot) {
+    if (slot.capacity >= size(slot)) return {};
+    if (slot.buffer) gl_.DeleteBuffers(1, &slot.buffer);
+    slot.capacity = 0;
+    gl_.CreateBuffers(1, &slot.buffer);
+    if (auto made = makeBufferStorage(gl_, slot.buffer, "readback", size(slot),
+                                      GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
+        !made)
+        return made;
+    slot.capacity = size(slot);
+    return {};
+}
+
+Result<GlReadback::Slot*> GlReadback::open(uint32_t ticket, Format format, uint32_t width,
+                                           uint32_t height) {
     auto found = std::ranges::find(slots_, false, &Slot::used);
     if (found == slots_.end()) found = slots_.insert(slots_.end(), Slot{});
     Slot& slot = *found;
     slot.ticket = ticket;
-    slot.used = true;
     slot.format = format;
     slot.width = width;
     slot.height = height;
-    if (slot.capacity < size(slot)) {
-        if (slot.buffer) gl_.DeleteBuffers(1, &slot.buffer);
-        slot.capacity = size(slot);
-        gl_.CreateBuffers(1, &slot.buffer);
-        gl_.NamedBufferStorage(slot.buffer, GLsizeiptr(slot.capacity), nullptr,
-                               GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
-        gl_.label(GL_BUFFER, slot.buffer, "readback");
-    }
+    if (auto ok = reserve(slot); !ok) return tl::unexpected(ok.error());
+    slot.used = true;
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, slot.buffer);
-    return slot;
+    return &slot;
 }
 
 void GlReadback::close(Slot& slot) {
@@ -80,20 +87,24 @@ void GlReadback::close(Slot& slot) {
     slot.fence = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 }
 
-void GlReadback::copyTexture(uint32_t ticket, const GlTexture& texture, uint32_t layer,
-                             uint32_t mipLevel) {
+Result<void> GlReadback::copyTexture(uint32_t ticket, const GlTexture& texture, uint32_t layer,
+                                     uint32_t mipLevel) {
     RL_CHECK(layer < texture.layers && mipLevel < texture.mipLevels,
              "a readback names a mip level or layer that does not exist");
-    Slot& slot = open(ticket, texture.format, mipSize(texture.width, mipLevel),
-                      mipSize(texture.height, mipLevel));
-    copyOut(gl_, texture, layer, mipLevel, size(slot), nullptr);
-    close(slot);
+    const auto slot = open(ticket, texture.format, mipSize(texture.width, mipLevel),
+                           mipSize(texture.height, mipLevel));
+    if (!slot) return tl::unexpected(slot.error());
+    copyOut(gl_, texture, layer, mipLevel, size(**slot), nullptr);
+    close(**slot);
+    return {};
 }
 
-void GlReadback::copyTarget(uint32_t ticket, GlState& state, const FrameTarget& target) {
-    Slot& slot = open(ticket, Format::rgba8, target.width, target.height);
+Result<void> GlReadback::copyTarget(uint32_t ticket, GlState& state, const FrameTarget& target) {
+    const auto slot = open(ticket, Format::rgba8, target.width, target.height);
+    if (!slot) return tl::unexpected(slot.error());
     copyOut(gl_, state, target, nullptr);
-    close(slot);
+    close(**slot);
+    return {};
 }
 
 bool GlReadback::take(uint32_t ticket, bool wait, ReadbackImage& image) {
@@ -112,8 +123,7 @@ bool GlReadback::take(uint32_t ticket, bool wait, ReadbackImage& image) {
     image.bytes.resize(size(*found));
     const void* mapped = gl_.MapNamedBufferRange(found->buffer, 0, GLsizeiptr(size(*found)),
                                                  GL_MAP_READ_BIT);
-    RL_CHECK(mapped || gl_.resetStatus() != GL_NO_ERROR, "the driver cannot map a readback");
-    if (!mapped) return false;
+    if (!mapped) return false;  // no memory, or no context any more
     std::memcpy(image.bytes.data(), mapped, image.bytes.size());
     gl_.UnmapNamedBuffer(found->buffer);
     return true;

@@ -13,8 +13,10 @@ public:
     explicit GlReadback(const GlFunctions& gl) : gl_(gl) {}
     ~GlReadback();
 
-    void copyTexture(uint32_t ticket, const GlTexture& texture, uint32_t layer, uint32_t mipLevel);
-    void copyTarget(uint32_t ticket, GlState& state, const FrameTarget& target);
+    // An Error where there is no memory to copy to: then nothing comes back under that ticket.
+    Result<void> copyTexture(uint32_t ticket, const GlTexture& texture, uint32_t layer,
+                             uint32_t mipLevel);
+    Result<void> copyTarget(uint32_t ticket, GlState& state, const FrameTarget& target);
     bool take(uint32_t ticket, bool wait, ReadbackImage& image);
 
     // At once, waiting: what an image holds.
@@ -33,7 +35,8 @@ private:
         Format format = Format::none;
         uint32_t width = 0, height = 0;
     };
-    Slot& open(uint32_t ticket, Format format, uint32_t width, uint32_t height);
+    Result<Slot*> open(uint32_t ticket, Format format, uint32_t width, uint32_t height);
+    Result<void> reserve(Slot& slot);
     void close(Slot& slot);
     uint64_t size(const Slot& slot) const {
         return uint64_t(bytesPerTexel(slot.format)) * slot.width * slot.height;

@@ -2,8 +2,10 @@
 
 #include "renderer/backend/gl/gl_enums.h"
 #include "renderer/backend/gl/gl_readback.h"
+#include "renderer/backend/gl/gl_storage.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace rushlight {
 namespace {
@@ -44,30 +46,29 @@ GlResources::~GlResources() {
         [&](SamplerHandle, GlSampler& sampler) { gl_.DeleteSamplers(1, &sampler.name); });
 }
 
-GlBuffer GlResources::createBuffer(const BufferDesc& desc) {
+Result<GlBuffer> GlResources::createBuffer(const BufferDesc& desc) {
     GlBuffer buffer{0, desc.size, desc.usage, std::string(desc.label)};
     gl_.CreateBuffers(1, &buffer.name);
-    gl_.NamedBufferStorage(buffer.name, GLsizeiptr(desc.size), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    gl_.label(GL_BUFFER, buffer.name, desc.label);
+    if (auto made = makeBufferStorage(gl_, buffer.name, desc.label, desc.size, GL_DYNAMIC_STORAGE_BIT);
+        !made) {
+        gl_.DeleteBuffers(1, &buffer.name);
+        return tl::unexpected(made.error());
+    }
     return buffer;
 }
 
-GlTexture GlResources::createTexture(const TextureDesc& desc) {
+Result<GlTexture> GlResources::createTexture(const TextureDesc& desc) {
     GlTexture texture{0,           desc.kind,   desc.format,    desc.width,
                       desc.height, desc.layers, desc.mipLevels, std::string(desc.label)};
-    gl_.CreateTextures(glTarget(desc.kind), 1, &texture.name);
-    const GLsizei levels = GLsizei(desc.mipLevels);
-    const GLenum format = glFormat(desc.format).internal;
-    if (desc.kind == TextureKind::texture2dArray || desc.kind == TextureKind::cubeArray)
-        gl_.TextureStorage3D(texture.name, levels, format, GLsizei(desc.width),
-                             GLsizei(desc.height), GLsizei(desc.layers));
-    else
-        gl_.TextureStorage2D(texture.name, levels, format, GLsizei(desc.width),
-                             GLsizei(desc.height));
+    const GLenum target = glTarget(desc.kind);
+    gl_.CreateTextures(target, 1, &texture.name);
+    if (auto made = makeTextureStorage(gl_, texture.name, target, desc); !made) {
+        gl_.DeleteTextures(1, &texture.name);
+        return tl::unexpected(made.error());
+    }
     // Read without a sampler object a texture is fetched from; integer formats are incomplete when filtered.
     gl_.TextureParameteri(texture.name, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl_.TextureParameteri(texture.name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl_.label(GL_TEXTURE, texture.name, desc.label);
     return texture;
 }
 
@@ -117,10 +118,28 @@ const GlTexture& GlResources::texture(TextureHandle handle) const {
     return *found;
 }
 
-GLuint GlResources::framebuffer(const BeginPass& pass) {
+Result<GLuint> GlResources::framebuffer(const BeginPass& pass) {
     const GlAttachments attachments = attachmentsOf(pass);
     const auto found = std::ranges::find(framebuffers_, attachments, &Framebuffer::attachments);
-    return found != framebuffers_.end() ? found->name : createFramebuffer(attachments, pass);
+    if (found != framebuffers_.end()) return found->name;
+    return createFramebuffer(attachments, pass);
+}
+
+tl::unexpected<Error> GlResources::incomplete(const BeginPass& pass, GLenum status) const {
+    std::string targets;
+    const auto add = [&](TextureHandle handle) {
+        if (!handle) return;
+        const GlTexture& target = texture(handle);
+        targets += (targets.empty() ? "" : ", ") + target.label + " (" + toText(target.format) + ", " +
+                   std::to_string(target.width) + "x" + std::to_string(target.height) + ")";
+    };
+    for (uint32_t i = 0; i < pass.colorCount; ++i) add(pass.colors[i].texture);
+    add(pass.depth.texture);
+    char code[16];
+    std::snprintf(code, sizeof code, "0x%04x", status);
+    return fail(std::string("pass '") + pass.name + "'",
+                "OpenGL cannot draw into its targets, " + targets + ": the framebuffer is not complete (" +
+                    code + ").");
 }
 
 void GlResources::attach(GLuint framebuffer, GLenum point, const GlAttachments::One& one) {
@@ -131,7 +150,8 @@ void GlResources::attach(GLuint framebuffer, GLenum point, const GlAttachments::
         gl_.NamedFramebufferTextureLayer(framebuffer, point, target.name, one.mipLevel, one.layer);
 }
 
-GLuint GlResources::createFramebuffer(const GlAttachments& attachments, const BeginPass& pass) {
+Result<GLuint> GlResources::createFramebuffer(const GlAttachments& attachments,
+                                              const BeginPass& pass) {
     GLuint name = 0;
     gl_.CreateFramebuffers(1, &name);
     gl_.label(GL_FRAMEBUFFER, name, pass.name);
@@ -143,8 +163,11 @@ GLuint GlResources::createFramebuffer(const GlAttachments& attachments, const Be
     }
     if (attachments.depth.texture) attach(name, GL_DEPTH_ATTACHMENT, attachments.depth);
     gl_.NamedFramebufferDrawBuffers(name, GLsizei(kMaxColorAttachments), drawBuffers.data());
-    RL_CHECK(gl_.CheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
-             pass.name);
+    const GLenum status = gl_.CheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE) {
+        gl_.DeleteFramebuffers(1, &name);
+        return incomplete(pass, status);
+    }
     framebuffers_.push_back({attachments, name});
     return name;
 }

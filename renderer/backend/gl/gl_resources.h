@@ -61,8 +61,8 @@ public:
     Pool<GlSampler, SamplerTag> samplers;
     Pool<GlPipeline, PipelineTag> pipelines;
 
-    GlBuffer createBuffer(const BufferDesc& desc);
-    GlTexture createTexture(const TextureDesc& desc);
+    Result<GlBuffer> createBuffer(const BufferDesc& desc);
+    Result<GlTexture> createTexture(const TextureDesc& desc);
     GlSampler createSampler(const SamplerDesc& desc, float maxAnisotropy);
     void write(const GlTexture& texture, const TextureRegion& region, const void* data);
 
@@ -70,8 +70,9 @@ public:
     const GlBuffer& buffer(BufferHandle handle) const;
     const GlTexture& texture(TextureHandle handle) const;
 
-    /// The framebuffer with a pass's attachments, made on first use and kept until one of them is destroyed.
-    GLuint framebuffer(const BeginPass& pass);
+    /// The framebuffer with a pass's attachments, made on first use and kept until one of them is destroyed. An Error
+    /// where the driver cannot draw into them together.
+    Result<GLuint> framebuffer(const BeginPass& pass);
     void forgetFramebuffers(TextureHandle texture);
 
 private:
@@ -79,8 +80,9 @@ private:
         GlAttachments attachments;
         GLuint name = 0;
     };
-    GLuint createFramebuffer(const GlAttachments& attachments, const BeginPass& pass);
+    Result<GLuint> createFramebuffer(const GlAttachments& attachments, const BeginPass& pass);
     void attach(GLuint framebuffer, GLenum point, const GlAttachments::One& one);
+    tl::unexpected<Error> incomplete(const BeginPass& pass, GLenum status) const;
 
     const GlFunctions& gl_;
     std::vector<Framebuffer> framebuffers_;

@@ -1,5 +1,7 @@
 #include "renderer/backend/gl/gl_upload_ring.h"
 
+#include "renderer/backend/gl/gl_storage.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -13,9 +15,7 @@ constexpr GLuint64 kSecond = 1'000'000'000;
 }  // namespace
 
 GlUploadRing::GlUploadRing(const GlFunctions& gl, uint32_t slots, uint32_t alignment)
-    : gl_(gl), slots_(std::clamp(slots, 1u, kMaxSlots)), alignment_(std::max(alignment, 256u)) {
-    allocate(kFirstSlotSize);
-}
+    : gl_(gl), slots_(std::clamp(slots, 1u, kMaxSlots)), alignment_(std::max(alignment, 256u)) {}
 
 GlUploadRing::~GlUploadRing() {
     for (GLsync fence : fences_)
@@ -23,15 +23,36 @@ GlUploadRing::~GlUploadRing() {
     gl_.DeleteBuffers(1, &buffer_);
 }
 
-void GlUploadRing::allocate(uint64_t slotSize) {
-    slotSize_ = (slotSize + alignment_ - 1) / alignment_ * alignment_;
-    const GLsizeiptr size = GLsizeiptr(slotSize_ * slots_);
+Result<void> GlUploadRing::allocate(uint64_t slotSize) {
+    slotSize = (slotSize + alignment_ - 1) / alignment_ * alignment_;
+    const uint64_t size = slotSize * slots_;
     constexpr GLbitfield flags = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
     gl_.CreateBuffers(1, &buffer_);
-    gl_.NamedBufferStorage(buffer_, size, nullptr, flags);
-    gl_.label(GL_BUFFER, buffer_, "upload ring");
-    mapped_ = static_cast<std::byte*>(gl_.MapNamedBufferRange(buffer_, 0, size, flags));
-    RL_CHECK(mapped_ || gl_.resetStatus() != GL_NO_ERROR, "the driver cannot map the upload ring");
+    if (auto made = makeBufferStorage(gl_, buffer_, "upload ring", size, flags); !made) return made;
+    mapped_ = static_cast<std::byte*>(
+        gl_.MapNamedBufferRange(buffer_, 0, GLsizeiptr(size), flags));
+    if (!mapped_) return fail("upload ring", "OpenGL cannot map the buffer of the frames' data.");
+    slotSize_ = slotSize;
+    return {};
+}
+
+Result<void> GlUploadRing::replace(uint64_t slotSize) {
+    // GL keeps the old buffer's memory until the frames that read it are done.
+    if (buffer_) {
+        replaced_ = buffer_;
+        gl_.DeleteBuffers(1, &buffer_);
+    }
+    for (GLsync& fence : fences_) {
+        if (fence) gl_.DeleteSync(fence);
+        fence = nullptr;
+    }
+    buffer_ = 0;
+    mapped_ = nullptr;
+    slotSize_ = 0;
+    const Result<void> made = allocate(slotSize);
+    if (!made && buffer_) gl_.DeleteBuffers(1, &buffer_);
+    if (!made) buffer_ = 0;
+    return made;
 }
 
 void GlUploadRing::waitFor(uint32_t slot) {
@@ -47,21 +68,17 @@ void GlUploadRing::waitFor(uint32_t slot) {
     fence = nullptr;
 }
 
-void GlUploadRing::begin(std::span<const std::byte> data) {
+Result<void> GlUploadRing::prepare() { return replace(kFirstSlotSize); }
+
+Result<void> GlUploadRing::begin(std::span<const std::byte> data) {
     waits_ = 0;
     slot_ = (slot_ + 1) % slots_;
-    if (data.size() > slotSize_) {
-        // GL keeps the old buffer's memory until the frames that read it are done.
-        replaced_ = buffer_;
-        gl_.DeleteBuffers(1, &buffer_);
-        for (GLsync& fence : fences_) {
-            if (fence) gl_.DeleteSync(fence);
-            fence = nullptr;
-        }
-        allocate(std::bit_ceil(data.size()));
-    }
+    if (!mapped_ || data.size() > slotSize_)
+        if (auto ok = replace(std::max<uint64_t>(std::bit_ceil(data.size()), kFirstSlotSize)); !ok)
+            return ok;
     waitFor(slot_);
-    if (!data.empty() && mapped_) std::memcpy(mapped_ + base(), data.data(), data.size());
+    if (!data.empty()) std::memcpy(mapped_ + base(), data.data(), data.size());
+    return {};
 }
 
 void GlUploadRing::end() { fences_[slot_] = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0); }

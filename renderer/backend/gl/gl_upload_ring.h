@@ -19,9 +19,12 @@ public:
     GlUploadRing(const GlFunctions& gl, uint32_t slots, uint32_t alignment);
     ~GlUploadRing();
 
+    /// Makes the buffer, once, before the first frame.
+    Result<void> prepare();
     /// Copies a frame's data to the next slot, waiting for the frame that used it last. A block larger than a slot
-    /// makes a larger buffer; see takeReplaced().
-    void begin(std::span<const std::byte> data);
+    /// makes a larger buffer; see takeReplaced(). An Error where that cannot be had: the frame has no data then, and
+    /// the next one tries again.
+    Result<void> begin(std::span<const std::byte> data);
     /// All commands that read the slot were submitted.
     void end();
 
@@ -31,7 +34,8 @@ public:
     GLuint takeReplaced();  ///< the buffer that begin() deleted, once; 0 when none
 
 private:
-    void allocate(uint64_t slotSize);
+    Result<void> replace(uint64_t slotSize);
+    Result<void> allocate(uint64_t slotSize);
     void waitFor(uint32_t slot);
 
     const GlFunctions& gl_;
