@@ -85,9 +85,7 @@ RL_INLINE float probeVisibility(vec3 normal, vec3 toProbe, float distance, vec2 
     float variance = deviation * deviation;
     float chebyshev = variance / max(variance + beyond * beyond, 1e-8f);
     chebyshev = beyond > 0.0f ? chebyshev * chebyshev * chebyshev : 1.0f;
-    // Behind the surface the distances, of few directions, are not sharp enough: a wall's back has its own light.
-    float before = clamp(1.0f + 4.0f * facing, 0.1f, 1.0f);
-    float weight = (wrapped * wrapped + 0.05f) * before * before * max(chebyshev, 1e-3f);
+    float weight = (wrapped * wrapped + 0.05f) * max(chebyshev, 1e-3f);
     // What is nearly hidden counts for less than it would, with no edge where that begins.
     return weight < 0.2f ? weight * weight * weight * 25.0f : weight;
 }

@@ -53,6 +53,17 @@ TEST(Compare, UniformPicturesHaveErrorsOneCanWorkOutByHand) {
     EXPECT_NEAR(c.ssim, (2 * 0.3 + 1e-4) / (0.25 + 0.36 + 1e-4), 1e-4);
 }
 
+// Equal means and variances; the covariance is minus the variance, so that structure counts -1.
+TEST(Compare, ANegativeHasTheOppositeStructure) {
+    Picture checks{32, 32, false, {}}, negative{32, 32, false, {}};
+    for (uint32_t i = 0; i < 32 * 32; ++i) {
+        const float value = (i % 32 + i / 32) % 2 ? 0.7f : 0.3f;
+        checks.rgba.insert(checks.rgba.end(), {value, value, value, 1});
+        negative.rgba.insert(negative.rgba.end(), {1 - value, 1 - value, 1 - value, 1});
+    }
+    EXPECT_NEAR(compared(checks, negative).ssim, -0.95, 0.05);
+}
+
 TEST(Compare, OneWrongPixelIsTheMaximumAndASmallMean) {
     Picture b = uniform(10, 10, vec3(0.5f));
     b.rgba[4 * 55 + 1] = 1;
