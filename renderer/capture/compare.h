@@ -34,5 +34,6 @@ Result<Comparison> comparePictures(const Picture& a, const Picture& b, const std
 
 /// Errors from 0 to 1 as colours: black, violet, red, orange, yellow, white. RGBA, 8 bit.
 std::vector<uint8_t> heatMap(const Plane& errors);
+Result<void> saveHeatMap(const std::string& path, const Plane& errors);
 
 }  // namespace rushlight

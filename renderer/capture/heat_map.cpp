@@ -1,5 +1,6 @@
 #include "engine/core/math.h"
 #include "renderer/capture/compare.h"
+#include "renderer/capture/image_files.h"
 
 #include <algorithm>
 #include <array>
@@ -21,6 +22,15 @@ std::vector<uint8_t> heatMap(const Plane& errors) {
         rgba.push_back(255);
     }
     return rgba;
+}
+
+Result<void> saveHeatMap(const std::string& path, const Plane& errors) {
+    const std::vector<uint8_t> colors = heatMap(errors);
+    PictureView view;
+    view.width = errors.width;
+    view.height = errors.height;
+    view.rgba8 = colors;
+    return saveImage(path, view);
 }
 
 }  // namespace rushlight

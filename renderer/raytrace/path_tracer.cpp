@@ -40,6 +40,31 @@ vec3 cosineDirection(const vec3& normal, RayRandom& random) {
     return glm::normalize(d);
 }
 
+/// Draws one light of many by what each would give, as they come by.
+class DrawnLight {
+public:
+    explicit DrawnLight(RayRandom& random) : random_(random) {}
+
+    /// True where this is the one drawn so far.
+    bool offer(const vec3& irradiance) {
+        const float weight = interop::luminance(irradiance);
+        if (!(weight > 0)) return false;
+        total_ += weight;
+        if (random_.next() * total_ > weight) return false;
+        irradiance_ = irradiance;
+        weight_ = weight;
+        return true;
+    }
+    explicit operator bool() const { return weight_ > 0; }
+    /// Of the light drawn, in the stead of all.
+    vec3 irradiance() const { return irradiance_ * (total_ / weight_); }
+
+private:
+    RayRandom& random_;
+    float total_ = 0, weight_ = 0;
+    vec3 irradiance_{0};
+};
+
 }  // namespace
 
 // Irradiance of suns, point, spot and area lights.
@@ -55,8 +80,8 @@ vec3 PathTracer::lampLight(const Surface& s, RayRandom& random) const {
 
 // Irradiance of all lamps, by one shadow ray: a light is drawn by what it would give if nothing were in between.
 vec3 PathTracer::punctualLight(const Surface& s, RayRandom& random) const {
-    float total = 0, chosenWeight = 0;
-    vec3 chosen(0), towards(0);
+    DrawnLight drawn(random);
+    vec3 towards(0);
     float distance = 0;
     for (const PunctualLight& light : light_.punctual()) {
         const vec3 to = light.position - s.origin;
@@ -71,41 +96,27 @@ vec3 PathTracer::punctualLight(const Surface& s, RayRandom& random) const {
             attenuation *= interop::spotAttenuation(
                 -glm::dot(l, light.direction),
                 interop::spotScaleOffset(light.innerConeAngle, light.outerConeAngle));
-        const vec3 irradiance = light.intensity * light_.pattern(light, -l) * (attenuation * cosine);
-        const float weight = interop::luminance(irradiance);
-        if (!(weight > 0)) continue;
-        total += weight;
-        if (random.next() * total > weight) continue;
-        chosen = irradiance;
-        chosenWeight = weight;
+        if (!drawn.offer(light.intensity * light_.pattern(light, -l) * (attenuation * cosine))) continue;
         towards = l;
         distance = std::sqrt(distance2);
     }
-    if (!(chosenWeight > 0)) return vec3(0);
-    return chosen * (total / chosenWeight) *
+    if (!drawn) return vec3(0);
+    return drawn.irradiance() *
            scene_.transmittance({s.origin, towards, 0, distance * 0.9999f});
 }
 
 // As punctualLight: of a point on each light one is drawn by what it would give.
 vec3 PathTracer::areaLight(const Surface& s, RayRandom& random) const {
-    float total = 0, chosenWeight = 0;
-    vec3 chosen(0);
+    DrawnLight drawn(random);
     Ray ray;
     for (const AreaLight& light : light_.area()) {
         const AreaSample sample = sampleAreaLight(light, s.origin, random);
-        const vec3 irradiance =
-            sample.light * std::max(glm::dot(s.normal, sample.direction), 0.0f);
-        const float weight = interop::luminance(irradiance);
-        if (!(weight > 0)) continue;
-        total += weight;
-        if (random.next() * total > weight) continue;
-        chosen = irradiance;
-        chosenWeight = weight;
-        ray = {s.origin, sample.direction, 0, sample.distance};
+        if (drawn.offer(sample.light * std::max(glm::dot(s.normal, sample.direction), 0.0f)))
+            ray = {s.origin, sample.direction, 0, sample.distance};
     }
-    if (!(chosenWeight > 0)) return vec3(0);
+    if (!drawn) return vec3(0);
     const vec3 share = ray.farthest > 0 ? scene_.transmittance(ray) : vec3(1);
-    return chosen * (total / chosenWeight) * share;
+    return drawn.irradiance() * share;
 }
 
 // What stands for an area light shines already as that light.

@@ -34,15 +34,6 @@ std::string folderName(const std::string& name) {
     return safe;
 }
 
-Result<void> saveHeat(const std::string& path, const Plane& errors) {
-    const std::vector<uint8_t> colors = heatMap(errors);
-    PictureView view;
-    view.width = errors.width;
-    view.height = errors.height;
-    view.rgba8 = colors;
-    return saveImage(path, view);
-}
-
 std::string actualName(const Frame& frame) {
     return frame.image.rgba32f.empty() ? "actual.png" : "actual.exr";
 }
@@ -102,8 +93,8 @@ Result<void> EvidenceWriter::write(const Frame& frame, const Verdict& verdict,
         if (auto ok = writeFile(path(copy), *bytes); !ok) return ok;
     }
     if (!comparison) return {};
-    if (auto ok = saveHeat(path("error.png"), comparison->errors); !ok) return ok;
-    return saveHeat(path("heat.png"), comparison->flipErrors);
+    if (auto ok = saveHeatMap(path("error.png"), comparison->errors); !ok) return ok;
+    return saveHeatMap(path("heat.png"), comparison->flipErrors);
 }
 
 Result<void> EvidenceWriter::takeApart(const Frame& frame) {

@@ -33,16 +33,6 @@ bool printMeasure(const char* name, double value, const char* unit, std::optiona
     return passed;
 }
 
-Result<void> saveHeatMap(const std::string& path, const Plane& errors) {
-    if (path.empty()) return {};
-    const std::vector<uint8_t> colors = heatMap(errors);
-    PictureView view;
-    view.width = errors.width;
-    view.height = errors.height;
-    view.rgba8 = colors;
-    return saveImage(path, view);
-}
-
 Result<int> compare(const CompareArguments& arguments) {
     for (const std::string& path : {arguments.diff, arguments.error})
         if (!path.empty())
@@ -62,10 +52,12 @@ Result<int> compare(const CompareArguments& arguments) {
     printMeasure("mean error", result->meanError, "", {}, false);
     passed &= printMeasure("ssim", result->ssim, "", arguments.minSsim, true);
     passed &= printMeasure("alpha", result->alphaOverlap, "", arguments.minAlphaOverlap, true);
-    if (auto saved = saveHeatMap(arguments.diff, result->flipErrors); !saved)
-        return tl::unexpected(saved.error());
-    if (auto saved = saveHeatMap(arguments.error, result->errors); !saved)
-        return tl::unexpected(saved.error());
+    if (!arguments.diff.empty())
+        if (auto saved = saveHeatMap(arguments.diff, result->flipErrors); !saved)
+            return tl::unexpected(saved.error());
+    if (!arguments.error.empty())
+        if (auto saved = saveHeatMap(arguments.error, result->errors); !saved)
+            return tl::unexpected(saved.error());
     return passed ? kSuccess : kComparisonFailed;
 }
 
