@@ -98,11 +98,13 @@ Result<void> FrameRenderer::render(const FrameInput& input, const FrameOutput& o
 
     ExecuteOptions execute;
     execute.target = output.target;
+    execute.frame = frameNumber_;
     execute.hashAttachments = options.hashPasses;
     execute.keepAttachments = options.keepImages;
     execute.timers = options.timers;
     execute.toHost = !output.offscreen;
     SubmittedFrame& frame = submitted_.add(commands_);
+    frame.began = start;
     describePasses(frame);
     device_.execute(frame.commands, execute, frame.execution);
     fillReport(input);

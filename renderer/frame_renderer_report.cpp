@@ -1,9 +1,15 @@
 #include "renderer/frame_renderer.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace rushlight {
 namespace {
+
+double millisecondsBetween(std::chrono::steady_clock::time_point from,
+                           std::chrono::steady_clock::time_point to) {
+    return std::chrono::duration<double, std::milli>(to - from).count();
+}
 
 // What falls off the end waits in `spare`, so that frames with now more, now fewer passes make no allocations.
 void resizeKeepingMemory(std::vector<PassReport>& reports, std::vector<PassReport>& spare,
@@ -108,7 +114,9 @@ const FrameReport& FrameRenderer::report() {
     if (!frame) return r;
     const ExecutionReport& execution = frame->execution;
     r.executedFrame = frame->frameNumber;
+    r.cpuExecuteBeginMs = millisecondsBetween(frame->began, execution.began);
     r.cpuExecuteMs = execution.cpuMs;
+    r.gpuFrame = execution.gpuFrame;
     r.glCalls = execution.glCalls;
     r.stateChanges = execution.stateChanges;
     r.uploadedBytes = execution.uploadedBytes;
@@ -129,7 +137,9 @@ const FrameReport& FrameRenderer::report() {
         pass.triangles = done.triangles;
         pass.glCalls = done.glCalls;
         pass.stateChanges = done.stateChanges;
+        pass.cpuBeginMs = done.cpuBeginMs;
         pass.cpuMs = done.cpuMs;
+        pass.gpuBeginMs = done.gpuBeginMs;
         pass.gpuMs = done.gpuMs;
         pass.hashes.assign(done.attachmentHashes.begin(), done.attachmentHashes.end());
         for (size_t k = 0; k < pass.images.size(); ++k)

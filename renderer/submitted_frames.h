@@ -4,12 +4,14 @@
 #include "renderer/backend/device.h"
 #include "renderer/frame/frame_report.h"
 
+#include <chrono>
 #include <utility>
 
 namespace rushlight {
 
 struct SubmittedFrame {
     uint64_t frameNumber = 0;
+    std::chrono::steady_clock::time_point began;  ///< render()
     CommandBuffer commands;
     std::vector<PassReport> passes;  ///< what is known before it is executed
     std::vector<PassReport> sparePasses;

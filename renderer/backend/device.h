@@ -6,6 +6,7 @@
 #include "renderer/commands/command_buffer.h"
 #include "renderer/commands/resources.h"
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -22,13 +23,18 @@ struct ReadbackImage {
     std::vector<std::byte> bytes;
 };
 
-/// What one pass cost. Times are milliseconds. What it takes to look into a pass is no part of it.
+inline constexpr uint64_t kNoFrame = ~uint64_t(0);
+
+/// What one pass cost. Times are milliseconds, begins since the execution began. What it takes to look into a pass is
+/// no part of it.
 struct PassExecution {
     uint32_t draws = 0;      ///< draws as the GPU sees them: each entry of a multi-draw counts
     uint64_t triangles = 0;
     uint32_t glCalls = 0;
     uint32_t stateChanges = 0;
+    double cpuBeginMs = 0;
     double cpuMs = 0;  ///< of submitting it
+    double gpuBeginMs = 0;  ///< since the execution of ExecutionReport::gpuFrame began, by the CPU's clock
     double gpuMs = 0;  ///< from timer queries of the latest frame that is finished; 0 with no GPU
     std::vector<uint64_t> attachmentHashes;  ///< when ExecuteOptions::hashAttachments: colours in order, then depth
     std::vector<ReadbackImage> attachments;  ///< when ExecuteOptions::keepAttachments, in the same order
@@ -42,11 +48,14 @@ struct ExecutionReport {
     uint32_t waits = 0;          ///< times the CPU waited for the GPU to be done with a frame's memory
     uint32_t queueWaits = 0;     ///< times execute() waited because too many frames were pending
     uint32_t synchronousCalls = 0;  ///< that waited for the serving thread since the last execute()
+    std::chrono::steady_clock::time_point began;
     double cpuMs = 0;
+    uint64_t gpuFrame = kNoFrame;  ///< ExecuteOptions::frame of the frame that the passes' GPU times are of
 };
 
 struct ExecuteOptions {
     FrameTarget target;
+    uint64_t frame = kNoFrame;  ///< its number, for ExecutionReport::gpuFrame
     bool hashAttachments = false;  ///< slow: reads every pass's attachments back
     bool keepAttachments = false;  ///< as slow
     bool timers = true;

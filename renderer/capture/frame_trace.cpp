@@ -4,24 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rushlight {
 namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kProcess = 1, kCpu = 1, kGpu = 2;
+constexpr int kProcess = 1, kCpu = 1, kGpu = 2, kServing = 3;
 
 constexpr const char* kLayout =
-    "Durations are measured; passes follow one another without gaps from the start of what holds them. GPU times are those "
-    "of the newest frame that was finished when the frame was submitted.";
+    "Begins and durations are measured. A frame's GPU times arrive with a later frame: the last frames have none.";
 
 /// Nanoseconds, so that ends and beginnings that should be equal are.
 int64_t nanoseconds(double ms) { return std::isfinite(ms) && ms > 0 ? std::llround(ms * 1e6) : 0; }
-
-struct Span {
-    int64_t begin = 0, end = 0;
-};
 
 // Names come from hosts and may be no UTF-8.
 std::string dump(const ordered_json& json) {
@@ -32,16 +28,18 @@ class Writer {
 public:
     explicit Writer(std::string& events) : events_(events) {}
 
-    void complete(int track, const std::string& name, const char* category, Span span,
-                  ordered_json arguments) {
-        add({{"ph", "X"},
-             {"name", name},
-             {"cat", category},
-             {"pid", kProcess},
-             {"tid", track},
-             {"ts", double(span.begin) / 1000},
-             {"dur", double(span.end - span.begin) / 1000},
-             {"args", std::move(arguments)}});
+    void complete(int track, const std::string& name, const char* category, int64_t begin,
+                  int64_t end, const std::string& arguments = "{}") {
+        const ordered_json event = {{"ph", "X"},
+                                    {"name", name},
+                                    {"cat", category},
+                                    {"pid", kProcess},
+                                    {"tid", track},
+                                    {"ts", double(begin) / 1000},
+                                    {"dur", double(end - begin) / 1000}};
+        std::string text = dump(event);
+        text.back() = ',';
+        events_ += ",\n" + text + "\"args\":" + arguments + '}';
     }
     void counter(const char* name, int64_t time, uint64_t value) {
         add({{"ph", "C"},
@@ -59,76 +57,108 @@ private:
     std::string& events_;
 };
 
-ordered_json passArguments(const PassReport& pass) {
-    return {{"draws", pass.draws},
-            {"triangles", pass.triangles},
-            {"gl_calls", pass.glCalls},
-            {"state_changes", pass.stateChanges}};
+std::string passArguments(const PassReport& pass) {
+    return dump({{"draws", pass.draws},
+                 {"triangles", pass.triangles},
+                 {"gl_calls", pass.glCalls},
+                 {"state_changes", pass.stateChanges}});
 }
 
-double sumOf(const FrameReport& report, double PassReport::* time) {
-    double sum = 0;
-    for (const PassReport& pass : report.passes) sum += pass.*time;
-    return sum;
-}
-
-// Sums are rounded, not durations, so that the passes end where their sum does.
-void addPasses(Writer& writer, int track, const FrameReport& report, double PassReport::* time,
-               int64_t begin) {
-    double sum = 0;
-    for (const PassReport& pass : report.passes) {
-        const double duration = pass.*time;
-        const Span span{begin + nanoseconds(sum), begin + nanoseconds(sum + duration)};
-        sum += duration;
-        if (track == kGpu && duration <= 0) continue;
-        writer.complete(track, pass.name, "pass", span, passArguments(pass));
-    }
-}
-
-ordered_json frameArguments(const FrameReport& report, const FrameTiming& timing) {
+std::string frameArguments(const FrameReport& report, const FrameTiming& timing) {
     ordered_json arguments = {{"frame", report.frameNumber},
                               {"instances", report.instances},
                               {"visible", report.visible},
                               {"lights_visible", report.lightsVisible},
                               {"uploaded_bytes", report.uploadedBytes},
                               {"waits", report.waits}};
-    if (report.executedFrame != report.frameNumber)
-        arguments["executed_frame"] = report.executedFrame;
     if (timing.warmUp) arguments["warm_up"] = true;
-    return arguments;
+    return dump(arguments);
 }
 
 }  // namespace
 
+FrameTrace::Known* FrameTrace::known(uint64_t number) {
+    Known& frame = recent_[number % recent_.size()];
+    return frame.number == number ? &frame : nullptr;
+}
+
 void FrameTrace::add(const FrameReport& report, const FrameTiming& timing) {
     Writer writer(events_);
     const std::string name = "frame " + std::to_string(report.frameNumber);
-    const double cpuPasses = sumOf(report, &PassReport::cpuMs);
-    const Span build{std::max(nanoseconds(timing.beginMs), cpuEnd_),
-                     std::max(nanoseconds(timing.beginMs), cpuEnd_) + nanoseconds(report.cpuBuildMs)};
-    const Span execute{build.end,
-                       build.end + nanoseconds(std::max(report.cpuExecuteMs, cpuPasses))};
-    const Span frame{build.begin,
-                     std::max(build.begin + nanoseconds(timing.wallMs), execute.end)};
-    writer.complete(kCpu, name, "frame", frame, frameArguments(report, timing));
-    writer.complete(kCpu, "build", "stage", build, ordered_json::object());
-    writer.complete(kCpu, "execute", "stage", execute,
-                    {{"gl_calls", report.glCalls}, {"state_changes", report.stateChanges}});
-    addPasses(writer, kCpu, report, &PassReport::cpuMs, execute.begin);
-    cpuEnd_ = frame.end;
-
-    if (const double gpuPasses = sumOf(report, &PassReport::gpuMs); gpuPasses > 0) {
-        const int64_t begin = std::max(execute.begin, gpuEnd_);
-        gpuEnd_ = begin + nanoseconds(gpuPasses);
-        writer.complete(kGpu, name, "frame", {begin, gpuEnd_}, {{"frame", report.frameNumber}});
-        addPasses(writer, kGpu, report, &PassReport::gpuMs, begin);
-    }
-
-    writer.counter("draws", frame.begin, report.draws);
-    writer.counter("triangles", frame.begin, report.triangles);
-    writer.counter("GL calls", frame.begin, report.glCalls);
-    writer.counter("allocations", frame.begin, timing.allocations);
+    const int64_t begin = std::max(nanoseconds(timing.beginMs), cpuEnd_);
+    const int64_t buildEnd = begin + nanoseconds(report.cpuBuildMs);
     ++frames_;
+    recent_[report.frameNumber % recent_.size()] = {report.frameNumber, begin, buildEnd, false, {}};
+
+    // Events are in the order of their begins, and what holds others is before them.
+    std::string before = std::exchange(events_, {});
+    Known* executed = known(report.executedFrame);
+    if (executed && executed->executed) executed = nullptr;  // that was told before
+    int64_t end = std::max(begin + nanoseconds(timing.wallMs), buildEnd);
+    if (executed && report.executedFrame == report.frameNumber)
+        end = std::max(end, addExecution(report, *executed, kCpu, buildEnd).end);
+    std::swap(before, events_);
+    writer.complete(kCpu, name, "frame", begin, end, frameArguments(report, timing));
+    writer.complete(kCpu, "build", "stage", begin, buildEnd);
+    events_ += before;
+    cpuEnd_ = end;
+
+    if (executed && report.executedFrame != report.frameNumber) {
+        serves_ = true;
+        servingEnd_ = addExecution(report, *executed, kServing, servingEnd_).end;
+    }
+    addGpu(report);
+    writer.counter("draws", begin, report.draws);
+    writer.counter("triangles", begin, report.triangles);
+    writer.counter("GL calls", begin, report.glCalls);
+    writer.counter("allocations", begin, timing.allocations);
+}
+
+FrameTrace::Span FrameTrace::addExecution(const FrameReport& report, Known& frame, int track,
+                                          int64_t earliest) {
+    frame.executed = true;
+    frame.executeBegin = std::max(frame.begin + nanoseconds(report.cpuExecuteBeginMs), earliest);
+    int64_t end = frame.executeBegin;
+    std::string passes;
+    Writer writer(passes);
+    for (const PassReport& pass : report.passes) {
+        frame.passes.emplace_back(pass.name, passArguments(pass));
+        const int64_t begin =
+            std::max(frame.executeBegin + nanoseconds(pass.cpuBeginMs), end);
+        end = begin + nanoseconds(pass.cpuMs);
+        writer.complete(track, pass.name, "pass", begin, end, frame.passes.back().second);
+    }
+    end = std::max(end, frame.executeBegin + nanoseconds(report.cpuExecuteMs));
+    Writer(events_).complete(track, "execute", "stage", frame.executeBegin, end,
+                             dump({{"frame", *frame.number},
+                                   {"gl_calls", report.glCalls},
+                                   {"state_changes", report.stateChanges}}));
+    events_ += passes;
+    return {frame.executeBegin, end};
+}
+
+void FrameTrace::addGpu(const FrameReport& report) {
+    const Known* frame = known(report.gpuFrame);
+    if (!frame || !frame->executed || lastOnGpu_ == report.gpuFrame) return;
+    std::string passes;
+    Writer writer(passes);
+    int64_t begin = 0, end = gpuEnd_;
+    for (size_t i = 0; i < report.passes.size(); ++i) {
+        const PassReport& pass = report.passes[i];
+        if (!(pass.gpuMs > 0)) continue;
+        const int64_t passBegin = std::max(frame->executeBegin + nanoseconds(pass.gpuBeginMs), end);
+        if (passes.empty()) begin = passBegin;
+        end = passBegin + nanoseconds(pass.gpuMs);
+        const bool same = i < frame->passes.size() && frame->passes[i].first == pass.name;
+        writer.complete(kGpu, pass.name, "pass", passBegin, end,
+                        same ? frame->passes[i].second : "{}");
+    }
+    if (passes.empty()) return;
+    Writer(events_).complete(kGpu, "frame " + std::to_string(report.gpuFrame), "frame", begin, end,
+                             dump({{"frame", report.gpuFrame}}));
+    events_ += passes;
+    gpuEnd_ = end;
+    lastOnGpu_ = report.gpuFrame;
 }
 
 std::string FrameTrace::json(std::string_view device, std::string_view version) const {
@@ -137,6 +167,7 @@ std::string FrameTrace::json(std::string_view device, std::string_view version) 
     writer.metadata("process_name", 0, "rushlight");
     writer.metadata("thread_name", kCpu, "CPU");
     writer.metadata("thread_name", kGpu, "GPU");
+    if (serves_) writer.metadata("thread_name", kServing, "Serving thread");
     ordered_json about = {{"gl_renderer", std::string(device)},
                           {"gl_version", std::string(version)},
                           {"frames", frames_},

@@ -4,9 +4,13 @@
 
 #include "renderer/frame/frame_report.h"
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace rushlight {
 
@@ -18,10 +22,11 @@ struct FrameTiming {
     bool warmUp = false;
 };
 
-/// One process with the tracks "CPU" (frame > build, execute > passes) and "GPU" (frame > passes), and counters.
-/// A report knows how long its parts took, not when they began: they are laid one after another, without gaps, from the
-/// start of what holds them. Events of a track nest exactly, in whole nanoseconds. What has no GPU time is not on the
-/// GPU's track. The GPU's times are those of the report: of the newest frame that was finished when this one was submitted.
+/// One process with the tracks "CPU" (frame > build, execute > passes), "GPU" (frame > passes), in the render-thread mode
+/// "Serving thread" (execute > passes), and counters, all by the host's clock. Begins and durations are measured; an event
+/// that would begin, by the rounding of clocks, before the one before it on its track has ended begins with that end.
+/// A frame's GPU times arrive with a later frame's report: those of the last frames of a trace are missing, and those of
+/// frames that it does not have are left out. What has no GPU time is not on the GPU's track.
 class FrameTrace {
 public:
     /// Frames come in order; one that begins before the one before it has ended is moved behind it.
@@ -36,10 +41,28 @@ public:
     std::string json(std::string_view device, std::string_view version) const;
 
 private:
-    std::string events_;  ///< one a line, each with a comma before it
+    /// Of a frame that was added, for what is told of it later. Times are nanoseconds.
+    struct Known {
+        std::optional<uint64_t> number;
+        int64_t begin = 0;
+        int64_t executeBegin = 0;
+        bool executed = false;
+        std::vector<std::pair<std::string, std::string>> passes;  ///< name and arguments
+    };
+    struct Span {
+        int64_t begin = 0, end = 0;
+    };
+    Known* known(uint64_t number);
+    Span addExecution(const FrameReport& report, Known& frame, int track, int64_t earliest);
+    void addGpu(const FrameReport& report);
+
+    std::array<Known, 16> recent_;  ///< by number modulo its size
+    std::string events_;            ///< one a line, each with a comma before it
     std::string error_;
-    int64_t cpuEnd_ = 0, gpuEnd_ = 0;  ///< nanoseconds
+    int64_t cpuEnd_ = 0, servingEnd_ = 0, gpuEnd_ = 0;
+    std::optional<uint64_t> lastOnGpu_;
     uint32_t frames_ = 0;
+    bool serves_ = false;
 };
 
 }  // namespace rushlight

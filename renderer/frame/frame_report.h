@@ -28,7 +28,9 @@ struct PassReport {
     uint64_t triangles = 0;
     uint32_t glCalls = 0;
     uint32_t stateChanges = 0;
+    double cpuBeginMs = 0;  ///< since executing FrameReport::executedFrame began
     double cpuMs = 0;
+    double gpuBeginMs = 0;  ///< since executing FrameReport::gpuFrame began
     double gpuMs = 0;
     std::vector<const char*> reads;
     std::vector<const char*> writes;
@@ -41,11 +43,15 @@ struct PassReport {
 /// the frame `frameNumber` may not be executed yet; then what executing gives (cpuExecuteMs, gpuMs, draws, triangles,
 /// glCalls, stateChanges, uploadedBytes, the waits, synchronousCalls, passes) is of the newest frame that is.
 struct FrameReport {
+    static constexpr uint64_t kNone = ~uint64_t(0);  ///< the number of no frame
+
     uint64_t frameNumber = 0;
-    uint64_t executedFrame = 0;  ///< `frameNumber`, or the newest that is executed
+    uint64_t executedFrame = kNone;  ///< `frameNumber`, or the newest that is executed
     double cpuBuildMs = 0;
+    double cpuExecuteBeginMs = 0;  ///< since render() of `executedFrame` was called
     double cpuExecuteMs = 0;
-    double gpuMs = 0;
+    double gpuMs = 0;  ///< of all passes
+    uint64_t gpuFrame = kNone;  ///< that the GPU's times are of: the newest that the GPU was done with when `executedFrame` was executed
     uint32_t instances = 0;
     uint32_t visible = 0;  ///< from the camera
     uint32_t culledFrustum = 0;

@@ -45,7 +45,8 @@ TEST_F(TraceCli, TheLastFrameIsThatOfTheStatistics) {
     for (const int track : {kCpu, kGpu}) {
         const auto drawn = events(trace, "frame", track);
         ASSERT_FALSE(drawn.empty());
-        EXPECT_EQ(drawn.back()["args"]["frame"], frames[2]["args"]["frame"]);
+        // The GPU's times are told with the frame after.
+        EXPECT_EQ(drawn.back()["args"]["frame"], frames[track == kGpu ? 1 : 2]["args"]["frame"]);
         for (const json& pass : events(trace, "pass", track))
             if (pass["ts"].get<double>() >= drawn.back()["ts"].get<double>())
                 last[track].push_back(pass);
@@ -63,6 +64,29 @@ TEST_F(TraceCli, TheLastFrameIsThatOfTheStatistics) {
     for (const json& pass : last[kGpu]) gpu += pass["dur"].get<double>() / 1000;
     EXPECT_NEAR(gpu, stats["frame"]["gpu_ms"].get<double>(), 1e-5);
     EXPECT_GT(gpu, 0);
+}
+
+TEST_F(TraceCli, TheGpuDrawsAFrameWhileItsFrameLasts) {
+    const Ended ended = run(std::string("bench ") + kScene + "--frames 8 --trace " + path("trace.json"));
+    ASSERT_EQ(ended.code, 0) << ended.errors;
+    const json trace = read("trace.json");
+    std::map<uint64_t, json> frames;
+    for (const json& frame : events(trace, "frame", kCpu)) frames[frame["args"]["frame"]] = frame;
+    const auto drawn = events(trace, "frame", kGpu);
+    ASSERT_GE(drawn.size(), 6u);
+    constexpr double kClocks = 500;  // microseconds, by which their comparison may be wrong
+    for (const json& gpu : drawn) {
+        const json& frame = frames.at(gpu["args"]["frame"]);
+        const double begin = frame["ts"], end = begin + frame["dur"].get<double>();
+        EXPECT_GE(gpu["ts"].get<double>(), begin - kClocks) << gpu;
+        EXPECT_LE(gpu["ts"].get<double>() + gpu["dur"].get<double>(), end + kClocks) << gpu;
+    }
+    const auto passes = events(trace, "pass", kGpu);
+    double gaps = 0;
+    for (size_t i = 1; i < passes.size(); ++i)
+        gaps += passes[i]["ts"].get<double>() - passes[i - 1]["ts"].get<double>() -
+                passes[i - 1]["dur"].get<double>();
+    EXPECT_GT(gaps, 0) << "begins are measured";
 }
 
 TEST_F(TraceCli, ABenchAndASequenceHaveAllTheirFrames) {

@@ -36,7 +36,10 @@ FrameReport randomReport(std::mt19937& random, uint64_t number) {
     FrameReport report;
     report.frameNumber = report.executedFrame = number;
     report.cpuBuildMs = time(random);
+    report.cpuExecuteBeginMs = report.cpuBuildMs + 0.5;
     report.cpuExecuteMs = 0.01;
+    report.gpuFrame = number;
+    double gpuBegin = 1;
     for (const char* name : kNames) {
         PassReport& pass = report.passes.emplace_back();
         pass.name = name;
@@ -45,7 +48,10 @@ FrameReport randomReport(std::mt19937& random, uint64_t number) {
         pass.glCalls = uint32_t(random() % 500);
         pass.cpuMs = time(random);
         pass.gpuMs = time(random) * 4;
-        report.cpuExecuteMs += pass.cpuMs;
+        pass.cpuBeginMs = report.cpuExecuteMs;
+        pass.gpuBeginMs = gpuBegin;
+        gpuBegin += pass.gpuMs + 0.125;
+        report.cpuExecuteMs += pass.cpuMs + 0.0625;
         report.gpuMs += pass.gpuMs;
         report.draws += pass.draws;
         report.triangles += pass.triangles;
@@ -61,7 +67,7 @@ FrameTrace randomTrace(std::vector<FrameReport>& reports) {
     double now = 0.5;
     for (uint64_t i = 0; i < 20; ++i) {
         const FrameReport& report = reports.emplace_back(randomReport(random, i));
-        const double wall = report.cpuBuildMs + report.cpuExecuteMs + 0.25;
+        const double wall = report.cpuExecuteBeginMs + report.cpuExecuteMs + 0.25;
         trace.add(report, {now, wall, i * 3, i < 2});
         now += wall * (i % 5 == 4 ? 0.9 : 1.1);  // a clock that is not quite in step
     }
@@ -104,6 +110,7 @@ TEST(FrameTrace, SumsAreThoseOfTheReports) {
     for (int track : {kCpu, kGpu}) {
         uint64_t frame = 0;
         double passes[20] = {};
+        int events[20] = {};
         uint64_t draws[20] = {}, triangles[20] = {};
         for (const json& event : eventsOf(file, "X", track)) {
             const double ms = event["dur"].get<double>() / 1000;
@@ -111,7 +118,8 @@ TEST(FrameTrace, SumsAreThoseOfTheReports) {
                 frame = event["args"]["frame"].get<uint64_t>();
                 ASSERT_LT(frame, 20u);
                 if (track == kGpu) {
-                    EXPECT_NEAR(ms, reports[frame].gpuMs, kNanosecond / 1000);
+                    EXPECT_GE(ms, reports[frame].gpuMs - 6 * kNanosecond / 1000);
+                    EXPECT_LE(ms, reports[frame].gpuMs + 5 * 0.125 + 6 * kNanosecond / 1000);
                 }
             } else if (event["cat"] == "stage") {
                 const bool build = event["name"] == "build";
@@ -119,6 +127,7 @@ TEST(FrameTrace, SumsAreThoseOfTheReports) {
                             kNanosecond / 1000);
             } else {
                 passes[frame] += ms;
+                ++events[frame];
                 draws[frame] += event["args"]["draws"].get<uint64_t>();
                 triangles[frame] += event["args"]["triangles"].get<uint64_t>();
             }
@@ -127,11 +136,73 @@ TEST(FrameTrace, SumsAreThoseOfTheReports) {
             double expected = 0;
             for (const PassReport& pass : reports[i].passes)
                 expected += track == kGpu ? pass.gpuMs : pass.cpuMs;
-            EXPECT_NEAR(passes[i], expected, kNanosecond / 1000) << track << " frame " << i;
+            EXPECT_NEAR(passes[i], expected, 6 * kNanosecond / 1000) << track << " frame " << i;
+            EXPECT_EQ(events[i], 6);
             EXPECT_EQ(draws[i], reports[i].draws);
             EXPECT_EQ(triangles[i], reports[i].triangles);
         }
     }
+}
+
+TEST(FrameTrace, EventsBeginWhenTheyBegan) {
+    std::mt19937 random(3);
+    const FrameReport report = randomReport(random, 0);
+    FrameTrace trace;
+    trace.add(report, {10, 40, 0, false});
+    const json file = parsed(trace);
+    const double execute = 10 + report.cpuExecuteBeginMs;
+    for (int track : {kCpu, kGpu}) {
+        size_t next = 0;
+        for (const json& event : eventsOf(file, "X", track)) {
+            if (event["cat"] != "pass") continue;
+            const PassReport& pass = report.passes.at(next++);
+            const double begin = execute + (track == kGpu ? pass.gpuBeginMs : pass.cpuBeginMs);
+            EXPECT_EQ(event["name"], pass.name);
+            EXPECT_NEAR(event["ts"].get<double>() / 1000, begin, 2 * kNanosecond / 1000) << event;
+        }
+        EXPECT_EQ(next, report.passes.size());
+    }
+}
+
+TEST(FrameTrace, GpuTimesAreOnceThereAndWhereTheirFrameWas) {
+    std::mt19937 random(5);
+    FrameTrace trace;
+    std::vector<double> execute;
+    for (uint64_t i = 0; i < 6; ++i) {
+        FrameReport report = randomReport(random, i);
+        report.gpuFrame = i < 2 ? 0 : i - 1 - i % 2;  // some arrive late, one never, some are told twice
+        trace.add(report, {double(100 * i), 20, 0, false});
+        execute.push_back(double(100 * i) + report.cpuExecuteBeginMs);
+    }
+    std::vector<uint64_t> frames;
+    for (const json& event : eventsOf(parsed(trace), "X", kGpu)) {
+        if (event["cat"] != "frame") continue;
+        frames.push_back(event["args"]["frame"]);
+        EXPECT_NEAR(event["ts"].get<double>() / 1000, execute[frames.back()] + 1, 1e-5);
+    }
+    EXPECT_EQ(frames, (std::vector<uint64_t>{0, 1, 3}));
+}
+
+TEST(FrameTrace, WhatAServingThreadExecutedHasATrackOfItsOwn) {
+    constexpr int kServing = 3;
+    std::mt19937 random(6);
+    FrameTrace trace;
+    for (uint64_t i = 0; i < 5; ++i) {
+        FrameReport report = randomReport(random, i);
+        report.executedFrame = i == 0 ? FrameReport::kNone : i - 1;
+        report.cpuExecuteBeginMs = 12;
+        trace.add(report, {double(10 * i), report.cpuBuildMs + 0.1, 0, false});
+    }
+    const json file = parsed(trace);
+    const auto events = eventsOf(file, "X", kServing);
+    expectNested(events);
+    std::vector<uint64_t> frames;
+    for (const json& event : events)
+        if (event["cat"] == "stage") frames.push_back(event["args"]["frame"]);
+    EXPECT_EQ(frames, (std::vector<uint64_t>{0, 1, 2, 3}));
+    EXPECT_NEAR(events.front()["ts"].get<double>() / 1000, 12, 1e-5);
+    for (const json& event : eventsOf(file, "X", kCpu)) EXPECT_NE(event["cat"], "pass");
+    EXPECT_EQ(eventsOf(file, "M").size(), 4u);
 }
 
 TEST(FrameTrace, CountersAreThoseOfTheReports) {

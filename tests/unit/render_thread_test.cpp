@@ -72,6 +72,10 @@ TEST(RenderThread, AThousandFramesAreTheSameBytesInTheSameOrder) {
                 cubes.render(i);
                 const FrameReport& report = frames.report();
                 ASSERT_EQ(report.frameNumber, i);
+                if (report.executedFrame == FrameReport::kNone) {
+                    ASSERT_LT(i, inFlight);
+                    continue;
+                }
                 ASSERT_LE(report.executedFrame, i);
                 ASSERT_GE(report.executedFrame + inFlight, i);
             }

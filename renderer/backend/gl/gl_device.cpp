@@ -285,15 +285,16 @@ void GlDevice::read(TextureHandle handle, uint32_t mipLevel, uint32_t layer,
 void GlDevice::execute(const CommandBuffer& commands, const ExecuteOptions& options,
                        ExecutionReport& report) {
     using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    report.began = Clock::now();
     for (PassExecution& pass : report.passes) {
         pass.draws = 0;
         pass.triangles = 0;
         pass.glCalls = pass.stateChanges = 0;
-        pass.cpuMs = pass.gpuMs = 0;
+        pass.cpuBeginMs = pass.cpuMs = pass.gpuBeginMs = pass.gpuMs = 0;
         pass.attachmentHashes.clear();
         pass.attachments.clear();
     }
+    if (options.timers) timers_.compareClocks();
     functions_->calls = 0;
     report.glCalls = report.stateChanges = report.waits = 0;
     report.uploadedBytes = 0;
@@ -305,7 +306,8 @@ void GlDevice::execute(const CommandBuffer& commands, const ExecuteOptions& opti
     if (const GLuint replaced = ring_.takeReplaced()) forgetBuffer(replaced);
     if (!room) return note(room);
     state_.invalidate();
-    timers_.beginFrame(options.timers);
+    timers_.beginFrame(options.timers, options.frame, report.began);
+    report.gpuFrame = timers_.newestFrame();
     GlExecutor executor({gl_, state_, resources_, programs_, vertexArrays_, ring_, timers_,
                          readback_, texelUnits_},
                         options, report);
@@ -322,7 +324,7 @@ void GlDevice::execute(const CommandBuffer& commands, const ExecuteOptions& opti
     report.stateChanges = state_.changes() - executor.looking().changes;
     report.uploadedBytes = commands.data().size();
     report.waits = ring_.waits();
-    report.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count() -
+    report.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - report.began).count() -
                    executor.looking().ms;
 }
 

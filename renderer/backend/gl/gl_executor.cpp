@@ -93,8 +93,13 @@ void GlExecutor::operator()(const EndPass& command) {
     PassExecution& result = report_.passes[command.passIndex];
     if (options_.timers) parts_.timers.endPass();
     if (options_.debugGroups) gl_.PopDebugGroup();
-    result.gpuMs = options_.timers ? parts_.timers.milliseconds(command.passIndex, nameOf(*pass_)) : 0;
+    if (options_.timers) {
+        const GlTimers::Time time = parts_.timers.newest(command.passIndex, nameOf(*pass_));
+        result.gpuBeginMs = time.beginMs;
+        result.gpuMs = time.milliseconds;
+    }
     const Count ended = counted();
+    result.cpuBeginMs = passBegan_.ms - looking_.ms;
     result.cpuMs = ended.ms - passBegan_.ms;
     result.glCalls = ended.calls - passBegan_.calls;
     result.stateChanges = ended.changes - passBegan_.changes;

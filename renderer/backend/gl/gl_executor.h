@@ -75,7 +75,7 @@ private:
     Source resolve(const BufferRange& range) const;
     void load(const BeginPass& pass, GLuint framebuffer);
     void clearColor(GLuint framebuffer, uint32_t slot, const ColorAttachment& color);
-    Count counted() const { return {gl_.calls, state_.changes(), millisecondsSince(frameStart_)}; }
+    Count counted() const { return {gl_.calls, state_.changes(), millisecondsSince(report_.began)}; }
     static double millisecondsSince(std::chrono::steady_clock::time_point start) {
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
             .count();
@@ -96,7 +96,6 @@ private:
     const GlPipeline* pipeline_ = nullptr;
     GlVertexArrays::Streams streams_{};
     Source indices_;
-    const std::chrono::steady_clock::time_point frameStart_ = std::chrono::steady_clock::now();
     Count passBegan_, looking_;
 };
 

@@ -95,6 +95,7 @@ private:
     X(GetActiveUniformBlockiv, GETACTIVEUNIFORMBLOCKIV)         \
     X(GetError, GETERROR)                                       \
     X(GetGraphicsResetStatus, GETGRAPHICSRESETSTATUS)           \
+    X(GetInteger64v, GETINTEGER64V)                             \
     X(GetIntegerv, GETINTEGERV)                                 \
     X(GetNamedBufferParameteriv, GETNAMEDBUFFERPARAMETERIV)     \
     X(GetNamedBufferSubData, GETNAMEDBUFFERSUBDATA)             \

@@ -5,6 +5,13 @@
 #include <algorithm>
 
 namespace rushlight {
+namespace {
+
+GLint64 nanoseconds(GlTimers::Clock::time_point time) {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
+}
+
+}  // namespace
 
 GlTimers::~GlTimers() {
     for (const Frame& frame : frames_)
@@ -14,13 +21,23 @@ GlTimers::~GlTimers() {
         }
 }
 
-void GlTimers::beginFrame(bool enabled) {
+void GlTimers::compareClocks() {
+    if (untilCompared_-- > 0) return;
+    untilCompared_ = 63;
+    GLint64 now = 0;
+    gl_.GetInteger64v(GL_TIMESTAMP, &now);
+    gpuAhead_ = now - nanoseconds(Clock::now());
+}
+
+void GlTimers::beginFrame(bool enabled, uint64_t number, Clock::time_point began) {
     // Oldest first, so the newest that is finished has the last word.
     for (uint32_t i = 0; i < kFrames; ++i) collect(frames_[(next_ + i) % kFrames]);
     open_ = nullptr;
     if (!enabled || frames_[next_].pending) return;
     open_ = &frames_[next_];
     open_->used = 0;
+    open_->number = number;
+    open_->began = nanoseconds(began) + gpuAhead_;
 }
 
 GLuint GlTimers::createQuery(std::string_view label) const {
@@ -56,21 +73,24 @@ void GlTimers::collect(Frame& frame) {
     gl_.GetQueryObjectiv(frame.passes[frame.used - 1].end, GL_QUERY_RESULT_AVAILABLE, &available);
     if (!available) return;
     frame.pending = false;
-    latest_.clear();
+    newest_.clear();
+    newestFrame_ = frame.number;
     for (uint32_t i = 0; i < frame.used; ++i) {
         const Pass& pass = frame.passes[i];
         GLuint64 begin = 0, end = 0;
         gl_.GetQueryObjectui64v(pass.begin, GL_QUERY_RESULT, &begin);
         gl_.GetQueryObjectui64v(pass.end, GL_QUERY_RESULT, &end);
-        latest_.push_back({pass.name, end > begin ? double(end - begin) * 1e-6 : 0});
+        const Time time = {double(GLint64(begin) - frame.began) * 1e-6,
+                           end > begin ? double(end - begin) * 1e-6 : 0};
+        newest_.push_back({pass.name, time});
     }
 }
 
-double GlTimers::milliseconds(uint32_t index, std::string_view name) const {
+GlTimers::Time GlTimers::newest(uint32_t index, std::string_view name) const {
     const uint64_t wanted = hashText(name);
-    if (index < latest_.size() && latest_[index].name == wanted) return latest_[index].milliseconds;
-    const auto found = std::ranges::find(latest_, wanted, &Time::name);
-    return found != latest_.end() ? found->milliseconds : 0;
+    if (index < newest_.size() && newest_[index].name == wanted) return newest_[index].time;
+    const auto found = std::ranges::find(newest_, wanted, &PassTime::name);
+    return found != newest_.end() ? found->time : Time();
 }
 
 }  // namespace rushlight

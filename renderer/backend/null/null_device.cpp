@@ -255,12 +255,12 @@ public:
     void execute(const CommandBuffer& commands, const ExecuteOptions& options,
                  ExecutionReport& report) override {
         using Clock = std::chrono::steady_clock;
-        const auto start = Clock::now();
+        report.began = Clock::now();
         for (PassExecution& pass : report.passes) {
             pass.draws = 0;
             pass.triangles = 0;
             pass.glCalls = pass.stateChanges = 0;
-            pass.cpuMs = pass.gpuMs = 0;
+            pass.cpuBeginMs = pass.cpuMs = pass.gpuBeginMs = pass.gpuMs = 0;
             pass.attachmentHashes.clear();
             pass.attachments.clear();
         }
@@ -268,7 +268,7 @@ public:
         report.uploadedBytes = commands.data().size();
         visitCommands(commands, Counter(state_, commands, options, report));
         report.cpuMs =
-            std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+            std::chrono::duration<double, std::milli>(Clock::now() - report.began).count();
     }
     bool takeReadback(uint32_t ticket, bool, ReadbackImage& image) override {
         const auto found = std::ranges::find(state_.readbacks, ticket, &PendingReadback::ticket);
