@@ -4,6 +4,8 @@
 #include "renderer/backend/null/null_device.h"
 #include "renderer/backend/threaded_device.h"
 #include "renderer/capture_cube.h"
+#include "renderer/commands/half_floats.h"
+#include "renderer/commands/half_floats.h"
 #include "renderer/frame_renderer.h"
 
 #include <algorithm>
@@ -42,9 +44,8 @@ vec4 linearTexel(Format format, const std::byte* bytes) {
         return value;
     };
     if (format == Format::depth32f) return {read(0.0f), 0, 0, 1};
-    if (format == Format::r11g11b10f) return {glm::unpackF2x11_1x10(read(uint32_t(0))), 1};
-    RL_CHECK(format == Format::rgba16f, "a capture is RGBA8, RGBA16F, R11G11B10F or a depth");
-    return glm::unpackHalf4x16(read(uint64_t(0)));
+    RL_CHECK(format == Format::r11g11b10f, "a capture is RGBA8, RGBA16F, R11G11B10F or a depth");
+    return {glm::unpackF2x11_1x10(read(uint32_t(0))), 1};
 }
 
 // From rows at v = 0 (the bottom) to rows from the top.
@@ -67,6 +68,10 @@ void convert(const ReadbackImage& from, CapturedImage& to) {
     for (uint32_t y = 0; y < from.height; ++y) {
         const std::byte* in = from.bytes.data() + (from.height - 1 - y) * rowTexels * texel;
         float* out = to.rgba32f.data() + y * rowTexels * 4;
+        if (from.format == Format::rgba16f) {
+            floatsFromHalves({in, rowTexels * texel}, {out, rowTexels * 4});
+            continue;
+        }
         for (size_t x = 0; x < rowTexels; ++x, in += texel, out += 4) {
             const vec4 color = linearTexel(from.format, in);
             std::memcpy(out, &color, sizeof color);

@@ -42,9 +42,10 @@ ExposureRange exposureRange(std::span<const vec3> reference) {
     for (const vec3& pixel : reference)
         if (const float y = luminance(pixel); y > 0 && std::isfinite(y)) bright.push_back(y);
     if (bright.empty()) bright.push_back(1);
-    const auto middle = bright.begin() + ptrdiff_t((bright.size() - 1) / 2);
+    const auto middle = bright.begin() + ptrdiff_t(bright.size() / 2);
     std::nth_element(bright.begin(), middle, bright.end());
-    const float median = *middle, highest = *std::max_element(middle, bright.end());
+    const float below = bright.size() % 2 ? *middle : *std::max_element(bright.begin(), middle);
+    const float median = 0.5f * (below + *middle), highest = *std::max_element(middle, bright.end());
     ExposureRange range;
     range.first = std::log2(radianceOf(kTarget)) - std::log2(highest);
     range.last = std::log2(radianceOf(kTarget)) - std::log2(median);

@@ -2,6 +2,7 @@
 
 #include "engine/core/check.h"
 #include "renderer/capture/write_file.h"
+#include "renderer/commands/half_floats.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -27,6 +28,7 @@ struct Encoding {
     OIIO::TypeDesc pixelType;
     OIIO::stride_t stride = 0;
     std::vector<uint8_t> storage;  // when the pixels had to be changed
+    std::vector<uint16_t> halves;
 };
 
 bool isOpaque(std::span<const uint8_t> rgba8) {
@@ -49,7 +51,8 @@ Encoding encoding8(const char* fileName, const PictureView& view, int channels) 
         .pixels = view.rgba8.data(),
         .pixelType = OIIO::TypeDesc::UINT8,
         .stride = 4,
-        .storage = {}};
+        .storage = {},
+        .halves = {}};
     e.spec.attribute("oiio:ColorSpace", "sRGB");
     return e;
 }
@@ -77,15 +80,24 @@ Encoding jpegEncoding(const PictureView& view, EncodeEffort effort) {
 }
 
 Encoding exrEncoding(const PictureView& view) {
-    const bool fits = std::ranges::all_of(
-        view.rgba32f, [](float v) { return !std::isfinite(v) || std::abs(v) <= kLargestHalf; });
+    std::vector<uint16_t> halves(view.rgba32f.size());
+    const bool exact = exactHalves(view.rgba32f, halves);  // as they are where a GPU drew them
+    const bool fits = exact || std::ranges::all_of(view.rgba32f, [](float v) {
+                          return !std::isfinite(v) || std::abs(v) <= kLargestHalf;
+                      });
     Encoding e{.fileName = "picture.exr",
                .spec = OIIO::ImageSpec(int(view.width), int(view.height), 4,
                                        fits ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT),
                .pixels = view.rgba32f.data(),
                .pixelType = OIIO::TypeDesc::FLOAT,
                .stride = 16,
-               .storage = {}};
+               .storage = {},
+               .halves = std::move(halves)};
+    if (exact) {
+        e.pixels = e.halves.data();
+        e.pixelType = OIIO::TypeDesc::HALF;
+        e.stride = 8;
+    }
     e.spec.attribute("compression", "zip:1");  // half the time of OpenEXR's own level for half as large again
     // OpenImageIO writes today's date when it is given none.
     e.spec.attribute("DateTime", "1970:01:01 00:00:00");

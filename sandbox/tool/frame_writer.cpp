@@ -2,6 +2,11 @@
 
 #include "renderer/capture/image_files.h"
 
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
 namespace rushlight::tool {
 
 FrameWriter::FrameWriter(size_t mostWaiting)
@@ -16,7 +21,7 @@ FrameWriter::~FrameWriter() {
     thread_.join();
 }
 
-Result<void> FrameWriter::write(std::string path, CapturedImage image, std::string description) {
+Result<void> FrameWriter::write(std::string path, CapturedImage& image, std::string description) {
     std::unique_lock lock(mutex_);
     if (jobs_.size() >= mostWaiting_) {
         ++waits_;
@@ -24,6 +29,11 @@ Result<void> FrameWriter::write(std::string path, CapturedImage image, std::stri
     }
     if (!status_) return status_;
     jobs_.push_back({std::move(path), std::move(description), std::move(image)});
+    image = {};
+    if (!spare_.empty()) {
+        image = std::move(spare_.back());
+        spare_.pop_back();
+    }
     changed_.notify_all();
     return {};
 }
@@ -35,11 +45,14 @@ Result<void> FrameWriter::finish() {
 }
 
 void FrameWriter::run() {
+#ifdef __linux__
+    setpriority(PRIO_PROCESS, id_t(gettid()), 10);  // of this thread alone; refused, it is no harm
+#endif
     std::unique_lock lock(mutex_);
     for (;;) {
         changed_.wait(lock, [&] { return ends_ || !jobs_.empty(); });
         if (jobs_.empty()) return;
-        const Job job = std::move(jobs_.front());
+        Job job = std::move(jobs_.front());
         jobs_.pop_front();
         writing_ = true;
         const bool failed = !status_;
@@ -53,6 +66,7 @@ void FrameWriter::run() {
         }
         lock.lock();
         writing_ = false;
+        spare_.push_back(std::move(job.image));
         if (!saved) status_ = saved;
         changed_.notify_all();
     }

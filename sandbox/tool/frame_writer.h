@@ -9,10 +9,12 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace rushlight::tool {
 
-/// Encodes and writes on a thread of its own, in order. A picture is in its file wholly or not at all.
+/// Encodes and writes on a thread of its own, in order, of a low priority where the system has one for threads: what it
+/// does fits into the times when a frame leaves cores idle. A picture is in its file wholly or not at all.
 class FrameWriter {
 public:
     /// At most `mostWaiting` pictures are kept in memory besides the one that is being written.
@@ -22,9 +24,10 @@ public:
     FrameWriter(const FrameWriter&) = delete;
     FrameWriter& operator=(const FrameWriter&) = delete;
 
-    /// Returns at once unless as many wait as may. `description` goes into the file, for readDescription. The Error is that
-    /// of an earlier picture; after it nothing is written any more.
-    Result<void> write(std::string path, CapturedImage image, std::string description);
+    /// Returns at once unless as many wait as may. Takes `image` and leaves one that was written, for its memory.
+    /// `description` goes into the file, for readDescription. The Error is that of an earlier picture; after it nothing
+    /// is written any more.
+    Result<void> write(std::string path, CapturedImage& image, std::string description);
     /// Returns when all is written.
     Result<void> finish();
 
@@ -42,6 +45,7 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Job> jobs_;
+    std::vector<CapturedImage> spare_;
     Result<void> status_;
     bool writing_ = false, ends_ = false;
     uint32_t waits_ = 0;

@@ -67,14 +67,14 @@ Result<SequenceCounts> Sequence::run(const FrameOptions& options, const Drawn& d
     SequenceCounts counts;
     FrameWriter writer(kMostWaiting);
     Pending pending;
+    CapturedImage image;
     const auto fetch = [&]() -> Result<void> {
         if (!pending.ticket) return {};
-        CapturedImage image;
         const bool taken = renderer.takeCapture(pending.ticket, true, image);
         RL_CHECK(taken, "a capture that is waited for arrives");
         pending.ticket = {};
         if (!options_.write) return {};
-        return writer.write(std::move(pending.path), std::move(image), options_.key);
+        return writer.write(std::move(pending.path), image, options_.key);
     };
     const auto start = Clock::now();
     bool follows = false;

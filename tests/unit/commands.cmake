@@ -1,3 +1,9 @@
+find_package(hwy REQUIRED)
+add_executable(half_floats_test half_floats_test.cpp)
+target_link_libraries(half_floats_test PRIVATE
+  rushlight_half_floats hwy::hwy GTest::gtest_main rushlight_options)
+gtest_discover_tests(half_floats_test)
+
 add_executable(commands_test commands_test.cpp)
 target_link_libraries(commands_test PRIVATE
   rushlight_null_backend GTest::gtest_main rushlight_options)

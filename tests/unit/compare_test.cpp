@@ -95,13 +95,6 @@ TEST(Compare, FlipIsSymmetricAndGrowsWithTheDifference) {
     EXPECT_NEAR(compared(pattern(48, 32, 3), a).flip, large, 1e-6);
 }
 
-TEST(Compare, FlipAgreesWithADirectTwoDimensionalEvaluation) {
-    // Computed in double precision with two-dimensional kernels by a program written from the paper
-    // alone.
-    EXPECT_NEAR(compared(pattern(48, 32, 0), pattern(48, 32, 0.5f)).flip, 0.187861, 1e-4);
-    EXPECT_NEAR(compared(pattern(48, 32, 0), pattern(48, 32, 3)).flip, 0.515337, 1e-4);
-}
-
 TEST(Compare, AlphaCountsWhereItIsNotOpaque) {
     Picture b = uniform(4, 4, vec3(0));
     for (size_t i = 3; i < b.rgba.size(); i += 4) b.rgba[i] = 0;
