@@ -77,7 +77,7 @@ Result<void> EvidenceWriter::write(const Frame& frame, const Verdict& verdict,
     const auto hash = hashOfFile(verdict.golden);
     if (!hash) return tl::unexpected(hash.error());
     const ordered_json json = {{"version", kVersion},
-                               {"golden", verdict.golden},
+                               {"golden", fs::path(verdict.golden).lexically_proximate(folder_).string()},
                                {"golden_hash", *hash},
                                {"actual", actualName(frame)},
                                {"passed", verdict.passed}};
@@ -135,12 +135,12 @@ Result<Evidence> readEvidence(const std::string& folder) {
     Evidence evidence;
     evidence.folder = folder;
     evidence.name = fs::path(folder).filename().string();
-    evidence.golden = textAt("golden");
+    const std::string golden = textAt("golden");
+    if (!golden.empty()) evidence.golden = (fs::absolute(folder) / golden).lexically_normal().string();
     evidence.goldenHash = textAt("golden_hash");
     const std::string actual = textAt("actual");
     evidence.linear = actual == "actual.exr";
     const bool good = json.is_object() && json.contains("version") && json["version"] == kVersion &&
-                      fs::path(evidence.golden).is_absolute() &&
                       (evidence.linear || actual == "actual.png") &&
                       imageFormatOf(evidence.golden).value_or(ImageFormat::jpeg) ==
                           (evidence.linear ? ImageFormat::exr : ImageFormat::png);

@@ -1,6 +1,6 @@
 #pragma once
 // The folder that a verdict leaves behind:
-//     evidence.json  which golden it is about, and what that was when the frame was judged
+//     evidence.json  which golden it is about, as a path from here, and what that was when the frame was judged
 //     actual.png     what was rendered (.exr if linear); becomes the golden where it is accepted
 //     golden.png     a copy of the golden's file
 //     error.png      the largest difference of the values of every pixel, as heat

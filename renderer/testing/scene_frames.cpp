@@ -3,6 +3,7 @@
 #include "engine/assets/gltf.h"
 #include "renderer/capture/image_files.h"
 #include "renderer/scene_bridge/scene_defaults.h"
+#include "renderer/scene_bridge/scene_surroundings.h"
 
 namespace rushlight {
 
@@ -15,9 +16,14 @@ Result<std::unique_ptr<SceneFrames>> SceneFrames::open(Renderer& renderer, const
     auto bridge = SceneBridge::create(renderer, frames->model_);
     if (!bridge) return tl::unexpected(bridge.error());
     frames->bridge_ = std::move(*bridge);
-    if (environment.empty()) return frames;
-    if (auto loaded = frames->loadEnvironment(environment); !loaded)
-        return tl::unexpected(loaded.error());
+    const auto loaded =
+        environment.empty() ? frames->loadSurroundings() : frames->loadEnvironment(environment);
+    if (!loaded) return tl::unexpected(loaded.error());
+    if (!frames->bridge_->hasReflectionProbes()) return frames;
+    FrameInput input;
+    if (auto filled = frames->fill({}, input); !filled) return tl::unexpected(filled.error());
+    if (auto captured = frames->bridge_->captureReflections(input); !captured)
+        return tl::unexpected(captured.error());
     return frames;
 }
 
@@ -44,6 +50,16 @@ Result<void> SceneFrames::loadEnvironment(const std::string& path) {
     return {};
 }
 
+Result<void> SceneFrames::loadSurroundings() {
+    if (!model_.imageBasedLight) return {};
+    const auto created =
+        renderer_.createPrefilteredEnvironment(environmentOf(*model_.imageBasedLight));
+    if (!created) return tl::unexpected(created.error());
+    environment_ = *created;
+    environmentIntensity_ = model_.imageBasedLight->intensity;
+    return {};
+}
+
 Result<View> SceneFrames::viewOf(const SceneView& wanted) const {
     for (size_t i = 0; i < model_.cameras.size(); ++i) {
         if (!wanted.camera.empty() && model_.cameras[i].name != wanted.camera) continue;
@@ -62,6 +78,7 @@ Result<void> SceneFrames::fill(const SceneView& wanted, FrameInput& input) {
     input.view = *view;
     input.settings = wanted.settings;
     input.lighting.environment = environment_;
+    input.lighting.environmentIntensity = environmentIntensity_;
     if (environment_) input.lighting.background = Background::environment;
     if (environment_ || bridge_->hasLights()) return {};
     lights_ = defaultLights(*view);

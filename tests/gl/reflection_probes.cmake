@@ -9,6 +9,6 @@ add_executable(surroundings_cli_gl_test surroundings_cli_gl_test.cpp)
 target_compile_definitions(surroundings_cli_gl_test PRIVATE
   RUSHLIGHT_TOOL="$<TARGET_FILE:rushlight>" RUSHLIGHT_SOURCE="${PROJECT_SOURCE_DIR}")
 target_link_libraries(surroundings_cli_gl_test PRIVATE
-  rushlight_core nlohmann_json::nlohmann_json GTest::gtest_main rushlight_options)
+  rushlight_testing nlohmann_json::nlohmann_json GTest::gtest_main rushlight_options)
 add_dependencies(surroundings_cli_gl_test rushlight)
 gtest_discover_tests(surroundings_cli_gl_test PROPERTIES TIMEOUT 300)

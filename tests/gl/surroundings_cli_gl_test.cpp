@@ -1,5 +1,7 @@
-// Files that bring the light around them: the tool uses an image-based light, and captures reflection probes.
+// Files that bring the light around them: the tool, and frames for tests, use an image-based light and capture reflection
+// probes.
 
+#include "renderer/testing/frame.h"
 #include "tests/support/run_tool.h"
 #include "tests/support/temporary_directory.h"
 
@@ -98,6 +100,43 @@ TEST_F(SurroundingsCli, ReflectionProbesOfNodesAreCaptured) {
     const Ended wrong = capture("wrong.png");
     EXPECT_EQ(wrong.code, 3);
     EXPECT_NE(wrong.errors.find("extras.rushlight.reflectionProbe"), std::string::npos) << wrong.errors;
+}
+
+/// The mean of red, green and blue of a test's frame of lit.gltf, 0 to 255.
+vec3 meanOfTestFrame(const std::string& scene) {
+    const auto offscreen = golden::Offscreen::create();
+    EXPECT_TRUE(offscreen) << offscreen.error().text();
+    SceneView view;
+    view.width = 64, view.height = 48;
+    const auto frame = (*offscreen)->renderScene(scene, view);
+    EXPECT_TRUE(frame) << frame.error().text();
+    vec3 sum(0);
+    for (size_t i = 0; i < frame->image.rgba8.size(); ++i)
+        if (i % 4 < 3) sum[int(i % 4)] += frame->image.rgba8[i];
+    return sum / float(64 * 48);
+}
+
+TEST_F(SurroundingsCli, FramesForTestsHaveTheFilesSurroundings) {
+    addLight(kGrey, 0.5);
+    save();
+    const vec3 bluish = meanOfTestFrame(path("lit.gltf"));
+    auto& light = json["extensions"]["EXT_lights_image_based"]["lights"][0];
+    light["irradianceCoefficients"][0] = {4, 1, 1};
+    save();
+    const vec3 red = meanOfTestFrame(path("lit.gltf"));
+    EXPECT_GT(red.r, bluish.r + 10);
+    EXPECT_NEAR(red.b, bluish.b, 1);
+    light["intensity"] = 0.25;
+    save();
+    EXPECT_LT(meanOfTestFrame(path("lit.gltf")).b, red.b - 10);
+
+    json["nodes"].push_back({{"name", "probe"},
+                             {"translation", {0, 1, 0}},
+                             {"extras", {{"rushlight", {{"reflectionProbe", {{"size", {20, 20, 20}}, {"resolution", 32}}}}}}}});
+    json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
+    light["intensity"] = 1;
+    save();
+    EXPECT_GT(glm::length(meanOfTestFrame(path("lit.gltf")) - red), 0.5f);
 }
 
 TEST_F(SurroundingsCli, AreaLightsOfNodesShineForwards) {

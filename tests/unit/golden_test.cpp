@@ -247,6 +247,19 @@ TEST_F(GoldenPictures, AcceptingWritesTheGoldenOnce) {
     EXPECT_FALSE(accept(found[0])) << "the golden is another than the one that was reviewed";
 }
 
+TEST_F(GoldenPictures, EvidenceAndGoldensMayMoveTogether) {
+    fs::create_directories(path("here"));
+    fs::rename(path("g.png"), path("here/g.png"));
+    ASSERT_TRUE(judge(grey(40), near(path("here/g.png"), exact()),
+                      {.folder = path("here/evidence"), .name = "t"}));
+    fs::rename(path("here"), path("there"));
+    const auto found = reviews("there");
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].evidence.golden, path("there/g.png"));
+    ASSERT_TRUE(accept(found[0]));
+    EXPECT_EQ(bytes("there/g.png"), bytes("there/evidence/t/actual.png"));
+}
+
 TEST_F(GoldenPictures, AGoldenWithTheSamePixelsIsNotTouched) {
     const auto encoded =
         encodeImage("g.png", ImageFormat::png, PictureView(grey().image), EncodeEffort::small);
