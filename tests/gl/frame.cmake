@@ -7,6 +7,7 @@ add_executable(frame_gl_test
   decals_gl_test.cpp
   fog_gl_test.cpp
   interop_gl_test.cpp
+  materials_gl_test.cpp
   surfaces_gl_test.cpp
   ../support/allocation_counter.cpp
   ../support/lit_frame.cpp

@@ -137,6 +137,29 @@ TEST_F(PostGlTest, ToneMapsAsTheSharedSourceSays) {
     }
 }
 
+// ISO 2720 with K = 12.5 and S = 100: white is 1.2 * 2^EV.
+TEST_F(PostGlTest, AnExposureValueHalvesLightByTheStop) {
+    const TextureHandle source = radiance([](uint32_t, uint32_t) { return vec4(0.6f, 1.2f, 2.4f, 1); });
+    TonemapPass pass(*device_);
+    settings_.useExposureValue = true;
+    for (const float stops : {-1.0f, 0.0f, 1.0f, 3.0f}) {
+        begin();
+        settings_.exposureValue = stops;
+        TonemapPass::Inputs in;
+        in.radiance = import(source, Format::rgba16f);
+        in.settings = &settings_;
+        in.target = target();
+        in.data = &commands_;
+        ASSERT_TRUE(pass.add(*plan_, in));
+        const auto shown = texel(run(in.target.image), 5, 5);
+        for (size_t c = 0; c < 3; ++c) {
+            const float light = 0.5f * float(1 << c) / std::exp2(stops);
+            const float expected = interop::encodeSrgb(vec3(std::min(light, 1.0f))).x * 255;
+            EXPECT_NEAR(shown[c], expected, 1.1f) << stops;
+        }
+    }
+}
+
 TEST_F(PostGlTest, TransparentPicturesHaveStraightAlpha) {
     const TextureHandle source = radiance(
         [](uint32_t x, uint32_t) { return x < 48 ? vec4(0.25f, 0.1f, 0, 0.5f) : vec4(0); });

@@ -60,16 +60,19 @@ TEST_F(VisibilityTest, TheLevelOfDetailFallsWithTheDistanceAndKeepsItsError) {
     const GpuMesh& mesh = *geometry.find(ball);
     ASSERT_GE(mesh.lodCount, 4u);
     const float pixelsPerMetre = 720 / (2 * std::tan(0.785f / 2));
-    uint32_t last = 0;
-    for (float distance = 2; distance < 3000; distance *= 1.05f) {
-        settings.smallObjectPixels = 0;
-        const uint32_t lod = lodAt(distance);
-        const float pixels = pixelsPerMetre / (distance - std::sqrt(3.0f));
-        EXPECT_LE(mesh.lods[lod].error * pixels, settings.lodPixelError * 1.001f);
-        EXPECT_GE(lod, last);
-        last = lod;
+    settings.smallObjectPixels = 0;
+    for (const float allowed : {settings.lodPixelError, 20.0f}) {  // far from the eye, and near
+        settings.lodPixelError = allowed;
+        uint32_t last = 0;
+        for (float distance = 2; distance < 3000; distance *= 1.05f) {
+            const uint32_t lod = lodAt(distance);
+            const float pixels = pixelsPerMetre / (distance - std::sqrt(3.0f));
+            EXPECT_LE(mesh.lods[lod].error * pixels, allowed * 1.001f);
+            EXPECT_GE(lod, last);
+            last = lod;
+        }
+        EXPECT_EQ(last, mesh.lodCount - 1);
     }
-    EXPECT_EQ(last, mesh.lodCount - 1);
     settings.lodPixelError = 0;
     EXPECT_EQ(lodAt(1000), 0u);
 }
