@@ -14,6 +14,7 @@ namespace rushlight {
 namespace {
 
 constexpr uint32_t kSize = 8;
+constexpr uint64_t kSecond = 1'000'000'000;
 constexpr uint64_t kBegan = 5'000'000'000'000;  // the GPU's clock counts from when it likes
 
 class PlayedGlTest : public testing::Test {
@@ -46,7 +47,8 @@ protected:
         commands_.push(pass);
     }
     void execute() {
-        device_->execute(commands_, {}, report_);
+        options_.frame = ++frame_;
+        device_->execute(commands_, options_, report_);
         commands_.clear();
     }
 
@@ -105,6 +107,8 @@ protected:
     InstanceData instance_{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, 0, 0, 0, 0};
     CommandBuffer commands_;
     ExecutionReport report_;
+    ExecuteOptions options_;
+    uint64_t frame_ = 0;
     uint32_t ticket_ = 0;
 };
 
@@ -116,8 +120,10 @@ TEST_F(PlayedGlTest, EachPassTakesWhatTheClockSays) {
     };
     drawPasses({"first", "second", "third"});
     EXPECT_EQ(times(), (std::vector<double>{0, 0, 0})) << "no frame is finished";
+    EXPECT_EQ(report_.gpuFrame, kNoFrame);
     drawPasses({"first", "second", "third"});
     EXPECT_EQ(times(), (std::vector<double>{2.5, 0.25, 12}));
+    EXPECT_EQ(report_.gpuFrame, 1u);
     drawPasses({"third", "first", "second"});
     EXPECT_EQ(times(), (std::vector<double>{12, 2.5, 0.25})) << "times go by the passes' names";
 }
@@ -134,9 +140,33 @@ TEST_F(PlayedGlTest, TimesAreOfTheNewestFrameThatIsFinished) {
     PlayedGl::timesAreThere = true;
     drawPasses({"pass"});
     EXPECT_EQ(times(), std::vector<double>{3});
+    EXPECT_EQ(report_.gpuFrame, 3u);
     PlayedGl::timesAreThere = false;
     drawPasses({"pass"});
     EXPECT_EQ(times(), std::vector<double>{3});
+    EXPECT_EQ(report_.gpuFrame, 3u);
+}
+
+// A pass that begins an hour after the frame: on a CPU the two clocks are compared some microseconds after it began.
+TEST_F(PlayedGlTest, PassesBeginOnTheCpusClock) {
+    PlayedGl::now = int64_t(kBegan);
+    PlayedGl::clock = [](uint32_t number) { return kBegan + (3600 + number) * kSecond; };
+    for (int frame = 0; frame < 2; ++frame) drawPasses({"first", "second"});
+    constexpr double kFirst = 3600e3, kStep = 2e3;  // ms
+    EXPECT_NEAR(report_.passes[0].gpuBeginMs, kFirst, 1e3);
+    EXPECT_NEAR(report_.passes[1].gpuBeginMs - report_.passes[0].gpuBeginMs, kStep, 1e-3);
+    EXPECT_EQ(PlayedGl::askedNow, 1u);
+    // The clocks part by an hour; it shows when they are compared again.
+    PlayedGl::now += 3600 * int64_t(kSecond);
+    PlayedGl::clock = [](uint32_t) { return kBegan + 7200 * kSecond; };
+    while (PlayedGl::askedNow < 2) {
+        ASSERT_LT(frame_, 100u);
+        drawPasses({"first"});
+        if (frame_ > 4) { EXPECT_NEAR(report_.passes[0].gpuBeginMs, 2 * kFirst, 60e3) << frame_; }
+    }
+    EXPECT_EQ(frame_, 65u);
+    drawPasses({"first"});
+    EXPECT_NEAR(report_.passes[0].gpuBeginMs, kFirst, 60e3);
 }
 
 TEST_F(PlayedGlTest, AClockThatGoesBackMeasuresNothing) {

@@ -26,6 +26,11 @@ void APIENTRY queryCounter(GLuint query, GLenum) { times[query] = PlayedGl::cloc
 void APIENTRY getQueryObject(GLuint, GLenum, GLint* value) {
     *value = PlayedGl::timesAreThere ? GL_TRUE : GL_FALSE;
 }
+void APIENTRY getInteger64(GLenum name, GLint64* value) {
+    if (name != GL_TIMESTAMP) return real<PFNGLGETINTEGER64VPROC>("glGetInteger64v")(name, value);
+    ++PlayedGl::askedNow;
+    *value = PlayedGl::now;
+}
 void APIENTRY getQueryTime(GLuint query, GLenum, GLuint64* value) { *value = times.at(query); }
 
 // ---- names of buffers --------------------------------------------------------------------------------------------
@@ -121,12 +126,15 @@ void PlayedGl::reset() {
     highestName = namesGivenAgain = 0;
     clock = [](uint32_t) { return uint64_t(0); };
     timesAreThere = true;
+    now = 0;
+    askedNow = 0;
 }
 
 void* PlayedGl::load(const char* name) {
     const Replaced replaced[] = {
         {"glQueryCounter", address(&queryCounter)},
         {"glGetQueryObjectiv", address(&getQueryObject)},
+        {"glGetInteger64v", address(&getInteger64)},
         {"glGetQueryObjectui64v", address(&getQueryTime)},
         {"glCreateBuffers", address(&createBuffers)},
         {"glDeleteBuffers", address(&deleteBuffers)},

@@ -7,8 +7,10 @@
 namespace rushlight {
 
 struct PlayedGl {
-    /// What the clock says, in nanoseconds, when it is asked for the `number`-th time since reset(), from 0.
+    /// What the clock says, in nanoseconds, to the query of this number since reset(), from 0.
     static inline uint64_t (*clock)(uint32_t number) = nullptr;
+    static inline int64_t now = 0;        ///< what it says where it is asked at once
+    static inline uint32_t askedNow = 0;  ///< how often it was
     static inline bool timesAreThere = true;  ///< no: the GPU is not done yet
     static inline uint32_t namesGivenAgain = 0;
 
