@@ -94,6 +94,26 @@ TEST_F(BreakdownGlTest, LightInPartsAddsUpInScenesOfAllKinds) {
     }
 }
 
+// Where there is no surface the G-buffer holds zeroes, which would be lit as one that looks at a corner: suns on both
+// sides of it, so that one shines on it.
+TEST_F(BreakdownGlTest, LightFallsOnSurfacesAlone) {
+    lookDown(3, 6);
+    addBox({0, 0, 0}, {1, 1, 1});
+    const DirectionalLight suns[] = {{.direction = glm::normalize(vec3(1, -0.9f, 1)), .illuminance = vec3(9)},
+                                     {.direction = glm::normalize(vec3(-1, 0.9f, -1)), .illuminance = vec3(9)}};
+    input.lighting.directional = suns;
+    input.lighting.ambientSky = input.lighting.ambientGround = vec3(1);
+    input.lighting.backgroundColor = vec3(0.5f);
+    input.instances = instances;
+    for (const ShownImage part : {ShownImage::untextured, ShownImage::direct, ShownImage::ambient,
+                                  ShownImage::ambientShare}) {
+        const CapturedImage picture = show(input, part);
+        EXPECT_EQ(pixelOf(picture, 1, 1), vec3(0)) << int(part);
+        EXPECT_EQ(pixelOf(picture, kWidth - 2, kHeight - 2), vec3(0)) << int(part);
+        EXPECT_GT(pixelOf(picture, kWidth / 2, kHeight / 2).g, 0.1f) << int(part);
+    }
+}
+
 TEST_F(BreakdownGlTest, OverdrawCountsWhatTheGBufferWasWrittenWith) {
     lookDown(3, 6);
     Random random(5);

@@ -4,3 +4,8 @@ add_executable(device_test device_gl_test.cpp shaders_gl_test.cpp ../support/tes
 target_link_libraries(device_test PRIVATE
   rushlight_gl_backend ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
 gtest_discover_tests(device_test)
+
+add_executable(played_gl_test played_gl_test.cpp ../support/played_gl.cpp ../support/test_context.cpp)
+target_link_libraries(played_gl_test PRIVATE
+  rushlight_renderer rushlight_gl_backend ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
+gtest_discover_tests(played_gl_test)

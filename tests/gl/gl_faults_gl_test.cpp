@@ -267,6 +267,11 @@ TEST_F(GlFaultsGl, AFrameThatFailsOnTheServingThreadIsTheNextOnesError) {
     desc.renderThread = true;
     const auto renderer = std::move(Renderer::create(desc).value());
     std::thread game([&] {
+        // Whatever fails before: without it serve() would not end.
+        const struct AtExit {
+            Renderer& renderer;
+            ~AtExit() { renderer.stopServing(); }
+        } atExit{*renderer};
         const auto draw = [&] {
             const auto ticket = renderer->renderOffscreen({}, kWidth, kHeight, CaptureKind::display);
             renderer->finish();
@@ -286,7 +291,6 @@ TEST_F(GlFaultsGl, AFrameThatFailsOnTheServingThreadIsTheNextOnesError) {
         ASSERT_TRUE(again) << again.error().text();
         EXPECT_TRUE(renderer->takeCapture(*again, true, image));
         EXPECT_EQ(image.width, kWidth);
-        renderer->stopServing();
     });
     EXPECT_TRUE(renderer->serve());
     game.join();

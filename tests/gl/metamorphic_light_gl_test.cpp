@@ -18,15 +18,19 @@ bool isDrawn(uint64_t seed, bool shadows) {
 }
 
 TEST_F(Metamorphic, TheOrderOfLights) {
+    uint32_t shadowed = 0;
     for (const uint64_t seed : kSeeds) {
         SCOPED_TRACE(seed);
         VariedScene scene(renderer(), seed);
+        for (size_t i = 0; i < scene.lights.size(); ++i) scene.lights[i].castsShadow = i % 3 != 1;
         const Pictures before = picture(scene.frame(0));
+        shadowed += renderer().report().shadowLights;
         // Squares of the atlas are given by the lights' order.
         std::ranges::reverse(scene.lights);
         std::ranges::reverse(scene.areas);
         expectNear(before, picture(scene.frame(0)), 0.002, 1e-4);
     }
+    EXPECT_GT(shadowed, 6u);
 }
 
 TEST_F(Metamorphic, ALightOrTwoOfHalfItsIntensity) {

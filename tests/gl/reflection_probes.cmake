@@ -12,3 +12,12 @@ target_link_libraries(surroundings_cli_gl_test PRIVATE
   rushlight_testing nlohmann_json::nlohmann_json GTest::gtest_main rushlight_options)
 add_dependencies(surroundings_cli_gl_test rushlight)
 gtest_discover_tests(surroundings_cli_gl_test PROPERTIES TIMEOUT 300)
+
+add_executable(probe_bounces_gl_test
+  probe_bounces_gl_test.cpp
+  ../support/lit_frame.cpp
+  ../support/test_context.cpp)
+target_link_libraries(probe_bounces_gl_test PRIVATE
+  rushlight_scene_bridge rushlight_assets rushlight_gl_backend nlohmann_json::nlohmann_json ${EGL_LIBRARY}
+  GTest::gtest_main rushlight_options)
+gtest_discover_tests(probe_bounces_gl_test)

@@ -180,6 +180,18 @@ TEST_F(FrameFile, CountsThatNoFileCanHoldAreRefusedBeforeMemoryIsTaken) {
         << refusal(damaged);
 }
 
+// The message names the count that is wrong, not the place where reading on what follows as blobs came to an end.
+TEST_F(FrameFile, ACountThatIsOneTooManyIsNamed) {
+    auto damaged = file;
+    const uint64_t left = kRlfHeader + rlfValue<uint64_t>(file, 24) - kRlfBlobTable - sizeof(uint32_t);
+    constexpr uint64_t kBytesOfABlob = 24;
+    const uint32_t tooMany = uint32_t(left / kBytesOfABlob) + 1;
+    std::memcpy(damaged.data() + kRlfBlobTable, &tooMany, sizeof tooMany);
+    sealDescription(damaged);
+    EXPECT_NE(refusal(damaged).find("no room for " + std::to_string(tooMany) + " blobs"), std::string::npos)
+        << refusal(damaged);
+}
+
 TEST_F(FrameFile, TargetsThatNoFrameHasAreRefused) {
     auto frame = decodeFrame(file, "a.rlf");
     ASSERT_TRUE(frame);

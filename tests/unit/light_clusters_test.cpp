@@ -85,6 +85,20 @@ TEST(LightClusters, EveryLightThatReachesAPointIsInItsFroxel) {
     EXPECT_LT(double(listed), 3.6 * double(reaching)) << "lists hold far more than what reaches their froxels";
 }
 
+TEST(LightClusters, TheShadowRecordOfNumberZeroIsOne) {
+    const CameraMatrices camera = cameraAt({0, 0, 0}, {0, 0, -1}, true);
+    std::vector<PunctualLight> lights(3);
+    for (PunctualLight& light : lights) light.position = {0, 0, -3}, light.range = 1;
+    const int32_t records[] = {-1, 0, 12};
+    ClusterInputs inputs;
+    inputs.punctual = lights;
+    inputs.shadowRecords = records;
+    LightClusters clusters;
+    clusters.build(camera, kWidth, kHeight, inputs, jobs);
+    EXPECT_EQ(clusters.visibleOfClass[size_t(LightClass::plain)], 1u);
+    EXPECT_EQ(clusters.visibleOfClass[size_t(LightClass::modulated)], 2u);
+}
+
 TEST(LightClusters, AOneSidedAreaLightIsListedBeforeItsPlaneAlone) {
     const CameraMatrices camera = cameraAt({0, 0, 0}, {0, 0, -1}, true);
     AreaLight light;  // looks along +x
