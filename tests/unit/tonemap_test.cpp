@@ -67,5 +67,23 @@ TEST(Srgb, KnownValuesAndInverse) {
     for (float x = 0; x <= 1; x += 1.0f / 512) EXPECT_NEAR(decodeSrgb(encodeSrgb(x)), x, 1e-6f);
 }
 
+TEST(Dither, KeepsTheMeanAndBlackAndWhite) {
+    for (const float level : {0.0f, 10.3f, 100.5f, 200.9f, 255.0f}) {
+        double sum = 0, changed = 0;
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const vec3 color = dithered(vec3(level / 255), vec2(x, y) + 0.5f);
+                const float shown = std::round(color.x * 255);
+                sum += shown;
+                changed += std::abs(shown - level) > 1e-4f;
+                EXPECT_EQ(color.x, color.z);
+            }
+        EXPECT_NEAR(sum / (64 * 64), level, 0.02) << level;
+        if (level == 0 || level == 255) {
+            EXPECT_EQ(changed, 0) << level;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace rushlight
