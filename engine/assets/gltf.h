@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 namespace rushlight::assets {
 
@@ -26,6 +27,10 @@ struct LoadOptions {
     uint64_t maxElements = 1ull << 28;       ///< vertices and indices of all geometries together
     uint32_t maxNodes = 1u << 20;            ///< after instancing
 };
+
+/// The files that a .gltf or .glb file names, sorted, each once: the model is made of them and of the file itself. What
+/// loadModel would refuse to read is not among them; there are none where the file is no glTF.
+std::vector<std::filesystem::path> namedFiles(const std::filesystem::path& path);
 
 /// Reads no file outside the folder of `path`.
 Result<Model> loadModel(const std::filesystem::path& path, const LoadOptions& options = {});

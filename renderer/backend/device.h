@@ -51,6 +51,21 @@ struct ExecutionReport {
     std::chrono::steady_clock::time_point began;
     double cpuMs = 0;
     uint64_t gpuFrame = kNoFrame;  ///< ExecuteOptions::frame of the frame that the passes' GPU times are of
+
+    /// Of a frame that is about to be executed; its memory stays, and what the caller counts (the queue's) too.
+    void begin() {
+        began = std::chrono::steady_clock::now();
+        for (PassExecution& pass : passes) {
+            pass.draws = pass.glCalls = pass.stateChanges = 0;
+            pass.triangles = 0;
+            pass.cpuBeginMs = pass.cpuMs = pass.gpuBeginMs = pass.gpuMs = 0;
+            pass.attachmentHashes.clear();
+            pass.attachments.clear();
+        }
+        glCalls = stateChanges = waits = 0;
+        uploadedBytes = 0;
+        cpuMs = 0;
+    }
 };
 
 struct ExecuteOptions {

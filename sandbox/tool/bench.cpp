@@ -1,9 +1,9 @@
 #include "sandbox/tool/command.h"
 #include "sandbox/tool/frame_runner.h"
 #include "sandbox/tool/options.h"
+#include "sandbox/tool/progress.h"
 #include "sandbox/tool/trace_file.h"
 
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -117,15 +117,14 @@ struct Samples {
 Result<void> measureAll(RenderSetup& setup, const BenchArguments& arguments, TraceFile& trace,
                         Samples& samples) {
     const uint32_t warmup = std::max(arguments.render.warmup, 1u);
+    const Progress progress("frame");
     for (uint32_t i = 0; i < warmup + arguments.frames; ++i) {
         auto sample = measure(setup, arguments);
         if (!sample) return tl::unexpected(sample.error());
         trace.add(sample->report, sample->times, i < warmup);
         if (i == 0) samples.firstFrameMs = sample->times.wallMs;
         if (i >= warmup) samples.measured.push_back(std::move(*sample));
-        if (isatty(STDERR_FILENO))
-            std::fprintf(stderr, "\rframe %u of %u%s", i + 1, warmup + arguments.frames,
-                         i + 1 == warmup + arguments.frames ? "\n" : "");
+        progress.show(i + 1, warmup + arguments.frames);
     }
     return {};
 }

@@ -2,11 +2,10 @@
 #include "sandbox/tool/command.h"
 #include "sandbox/tool/frame_runner.h"
 #include "sandbox/tool/options.h"
+#include "sandbox/tool/progress.h"
 
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -19,11 +18,6 @@ struct BreakdownArguments {
     std::string output;
     std::string compare;
 };
-
-void showProgress(uint32_t done, uint32_t count) {
-    if (isatty(STDERR_FILENO))
-        std::fprintf(stderr, "\rframe %u of %u%s", done, count, done == count ? "\n" : "");
-}
 
 Result<int> breakdown(const BreakdownArguments& arguments) {
     std::optional<WrittenBreakdown> other;
@@ -43,7 +37,10 @@ Result<int> breakdown(const BreakdownArguments& arguments) {
             return tl::unexpected(image.error());
         if (firstFrameMs < 0) firstFrameMs = times.wallMs;
     }
-    auto taken = takeBreakdown((*setup)->renderer(), input, {size.x, size.y, showProgress});
+    const Progress progress("frame");
+    auto taken = takeBreakdown(
+        (*setup)->renderer(), input,
+        {size.x, size.y, [&](uint32_t done, uint32_t count) { progress.show(done, count); }});
     if (!taken) return tl::unexpected(taken.error());
     taken->title = std::filesystem::path(arguments.render.scene).filename().string();
     const nlohmann::ordered_json stats =

@@ -5,10 +5,10 @@
 #include "sandbox/tool/frame_runner.h"
 #include "sandbox/tool/options.h"
 #include "sandbox/tool/output_names.h"
+#include "sandbox/tool/progress.h"
 #include "sandbox/tool/sequence.h"
 #include "sandbox/tool/trace_file.h"
 
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include <cinttypes>
@@ -65,7 +65,6 @@ private:
     FrameInput input() const;
     Result<void> write(const FrameInput&, const std::string& path);
     Result<CapturedImage> render(const FrameInput&, CaptureKind, const FrameOptions&);
-    void showProgress(uint32_t done, uint32_t count) const;
 
     const CaptureArguments& arguments_;
     RenderSetup& setup_;
@@ -117,12 +116,13 @@ Result<void> Capture::write(const FrameInput& frame, const std::string& path) {
 }
 
 Result<void> Capture::allPasses() {
+    const Progress progress("picture");
     for (uint8_t i = 0; i < uint8_t(ShownImage::count); ++i) {
         FrameInput frame = input();
         frame.settings.show = ShownImage(i);
         const std::string path = arguments_.output + "/" + toText(ShownImage(i)) + ".png";
         if (auto written = write(frame, path); !written) return written;
-        showProgress(i + 1u, uint32_t(ShownImage::count));
+        progress.show(i + 1u, uint32_t(ShownImage::count));
     }
     return {};
 }
@@ -140,11 +140,6 @@ Result<void> Capture::sequence() {
     times_ = sequence.times();
     if (firstFrameMs_ < 0) firstFrameMs_ = sequence.firstFrameMs();
     return {};
-}
-
-void Capture::showProgress(uint32_t done, uint32_t count) const {
-    if (!isatty(STDERR_FILENO)) return;
-    std::fprintf(stderr, "\rframe %u of %u%s", done, count, done == count ? "\n" : "");
 }
 
 Result<void> Capture::writeStats() const {

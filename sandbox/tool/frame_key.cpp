@@ -1,15 +1,12 @@
 #include "sandbox/tool/frame_key.h"
 
+#include "engine/assets/gltf.h"
 #include "engine/core/hash128.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <vector>
 
 namespace rushlight::tool {
 namespace {
@@ -25,50 +22,11 @@ std::string hashOf(std::string_view bytes) {
     return toText(hash128(std::as_bytes(std::span(bytes.data(), bytes.size()))));
 }
 
-/// glTF 2.0, section 4.4: a GLB's first chunk, after 12 bytes of header and 8 of its own, is the JSON.
-std::string_view jsonOf(std::string_view file) {
-    constexpr size_t kBefore = 20;
-    if (!file.starts_with("glTF") || file.size() < kBefore) return file;
-    uint32_t size;
-    std::memcpy(&size, file.data() + 12, sizeof size);
-    return file.substr(kBefore, size);
-}
-
-/// %20 and the like, as in URIs.
-std::string decoded(const std::string& uri) {
-    std::string text;
-    for (size_t i = 0; i < uri.size(); ++i) {
-        const bool escaped = uri[i] == '%' && i + 2 < uri.size() && std::isxdigit(uint8_t(uri[i + 1])) &&
-                             std::isxdigit(uint8_t(uri[i + 2]));
-        text += escaped ? char(std::stoi(uri.substr(i + 1, 2), nullptr, 16)) : uri[i];
-        i += escaped ? 2 : 0;
-    }
-    return text;
-}
-
-void collectUris(const nlohmann::json& json, std::vector<std::string>& uris) {
-    if (json.is_object())
-        for (const auto& [name, value] : json.items()) {
-            if (name == "uri" && value.is_string() &&
-                !value.get_ref<const std::string&>().starts_with("data:"))
-                uris.push_back(decoded(value));
-            else
-                collectUris(value, uris);
-        }
-    else if (json.is_array())
-        for (const auto& value : json) collectUris(value, uris);
-}
-
 /// Of the scene and all files that it names; what cannot be read was left out of the scene, too, or is its Error.
 std::string sceneText(const std::string& scene) {
-    const std::string file = contentsOf(scene);
-    std::string text = hashOf(file);
-    const auto json = nlohmann::json::parse(jsonOf(file), nullptr, false);
-    std::vector<std::string> uris;
-    collectUris(json, uris);
-    std::ranges::sort(uris);
-    for (const std::string& uri : uris)
-        text += uri + hashOf(contentsOf(fs::path(scene).parent_path() / uri));
+    std::string text = hashOf(contentsOf(scene));
+    for (const fs::path& file : assets::namedFiles(scene))
+        text += file.filename().string() + hashOf(contentsOf(file));
     return text;
 }
 

@@ -1,23 +1,14 @@
 #include "sandbox/tool/probes.h"
 
 #include "renderer/scene_bridge/ray_bridge.h"
-
-#include <unistd.h>
+#include "sandbox/tool/progress.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
 
 namespace rushlight::tool {
-namespace {
-
-void showProgress(void*, uint32_t done, uint32_t count) {
-    std::fprintf(stderr, "\rprobe %u of %u%s", done, count, done == count ? "\n" : "");
-}
-
-}  // namespace
 
 std::string defaultProbePath(const std::string& scene) {
     return std::filesystem::path(scene).replace_extension(".probes").string();
@@ -30,7 +21,11 @@ Result<IrradianceVolume> bakeProbes(const SceneBridge& bridge, const BakeLightin
     ProbeBakeDesc desc;
     desc.spacing = spacing;
     desc.samples = samples;
-    if (isatty(STDERR_FILENO)) desc.progress = showProgress;
+    Progress progress("probe");
+    desc.user = &progress;
+    desc.progress = [](void* user, uint32_t done, uint32_t count) {
+        static_cast<const Progress*>(user)->show(done, count);
+    };
     return bakeIrradiance(**scene, lighting, desc, jobs);
 }
 

@@ -5,11 +5,9 @@
 #include "sandbox/allocations.h"
 #include "sandbox/tool/frame_writer.h"
 #include "sandbox/tool/output_names.h"
-
-#include <unistd.h>
+#include "sandbox/tool/progress.h"
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 
 namespace rushlight::tool {
@@ -50,14 +48,6 @@ Result<void> Sequence::poseAt(uint64_t frame, bool follows) {
     return setup_.setTime(secondsOf(double(frame)));
 }
 
-void Sequence::showProgress(uint64_t done, uint64_t count, double seconds) const {
-    if (!isatty(STDERR_FILENO)) return;
-    const auto left = unsigned(seconds / double(done) * double(count - done) + 0.5);
-    std::fprintf(stderr, "\rframe %llu of %llu, %u:%02u left ", (unsigned long long)done,
-                 (unsigned long long)count, left / 60, left % 60);
-    if (done == count) std::fputc('\n', stderr);
-}
-
 Result<SequenceCounts> Sequence::run(const FrameOptions& options, const Drawn& drawn) {
     const uint64_t all = uint64_t(options_.frames.last) - options_.frames.first + 1;
     const uint64_t begin = options_.frames.first + all * (options_.shard.index - 1) / options_.shard.count;
@@ -77,6 +67,7 @@ Result<SequenceCounts> Sequence::run(const FrameOptions& options, const Drawn& d
         return writer.write(std::move(pending.path), image, options_.key);
     };
     const auto start = Clock::now();
+    const Progress progress("frame");
     bool follows = false;
     for (uint64_t frame = begin; frame < end; ++frame) {
         auto path = frameFileName(options_.output, uint32_t(frame));
@@ -104,7 +95,8 @@ Result<SequenceCounts> Sequence::run(const FrameOptions& options, const Drawn& d
         // While the GPU draws this frame the one before it comes back and is written.
         if (auto fetched = fetch(); !fetched) return tl::unexpected(fetched.error());
         pending = {*ticket, std::move(*path)};
-        showProgress(++counts.rendered + counts.kept, end - begin, secondsSince(start));
+        ++counts.rendered;
+        progress.show(counts.rendered + counts.kept, end - begin, counts.kept);
     }
     if (auto fetched = fetch(); !fetched) return tl::unexpected(fetched.error());
     if (auto written = writer.finish(); !written) return tl::unexpected(written.error());

@@ -47,7 +47,6 @@ public:
 private:
     bool isFinished(const std::string& path) const;
     Result<void> poseAt(uint64_t frame, bool follows);
-    void showProgress(uint64_t done, uint64_t count, double seconds) const;
 
     const SequenceOptions& options_;
     RenderSetup& setup_;

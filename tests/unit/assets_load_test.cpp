@@ -222,5 +222,23 @@ TEST(AssetsLoad, MissingImagesAreRefusedOrReplaced) {
     EXPECT_EQ(replaced->images[0].pixels.size(), replaced->images[0].width * replaced->images[0].height * 4);
 }
 
+TEST(AssetsLoad, FilesThatAModelIsMadeOf) {
+    const TempFolder folder;
+    SmallGltf gltf = fullTriangle();
+    gltf.json["images"] = {{{"uri", "b%20c.png"}}, {{"uri", "sub/a.png"}}, {{"uri", "b%20c.png"}},
+                           {{"uri", "data:image/png;base64,AAAA"}}, {{"uri", "../outside.png"}},
+                           {{"uri", "http://example.org/x.png"}}, {{"uri", "bad%2.png"}}};
+    gltf.json["extensions"]["ANY_extension"]["profiles"] = {{{"uri", "lamp.ies"}}};
+    const auto path = gltf.save(folder);
+    std::vector<std::string> names;
+    for (const auto& file : assets::namedFiles(path)) {
+        EXPECT_TRUE(file.is_absolute());
+        names.push_back(file.lexically_relative(std::filesystem::canonical(path.parent_path())));
+    }
+    std::erase_if(names, [](const std::string& name) { return name.ends_with(".bin"); });
+    EXPECT_EQ(names, (std::vector<std::string>{"b c.png", "lamp.ies", "sub/a.png"}));
+    EXPECT_TRUE(assets::namedFiles(path.parent_path() / "there is none.gltf").empty());
+}
+
 }  // namespace
 }  // namespace rushlight::test

@@ -285,20 +285,9 @@ void GlDevice::read(TextureHandle handle, uint32_t mipLevel, uint32_t layer,
 void GlDevice::execute(const CommandBuffer& commands, const ExecuteOptions& options,
                        ExecutionReport& report) {
     using Clock = std::chrono::steady_clock;
-    report.began = Clock::now();
-    for (PassExecution& pass : report.passes) {
-        pass.draws = 0;
-        pass.triangles = 0;
-        pass.glCalls = pass.stateChanges = 0;
-        pass.cpuBeginMs = pass.cpuMs = pass.gpuBeginMs = pass.gpuMs = 0;
-        pass.attachmentHashes.clear();
-        pass.attachments.clear();
-    }
+    report.begin();
     if (options.timers) timers_.compareClocks();
     functions_->calls = 0;
-    report.glCalls = report.stateChanges = report.waits = 0;
-    report.uploadedBytes = 0;
-    report.cpuMs = 0;
     if (isLost()) return;
     state_.resetCount();
 

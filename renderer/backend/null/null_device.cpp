@@ -255,16 +255,7 @@ public:
     void execute(const CommandBuffer& commands, const ExecuteOptions& options,
                  ExecutionReport& report) override {
         using Clock = std::chrono::steady_clock;
-        report.began = Clock::now();
-        for (PassExecution& pass : report.passes) {
-            pass.draws = 0;
-            pass.triangles = 0;
-            pass.glCalls = pass.stateChanges = 0;
-            pass.cpuBeginMs = pass.cpuMs = pass.gpuBeginMs = pass.gpuMs = 0;
-            pass.attachmentHashes.clear();
-            pass.attachments.clear();
-        }
-        report.glCalls = report.stateChanges = report.waits = 0;
+        report.begin();
         report.uploadedBytes = commands.data().size();
         visitCommands(commands, Counter(state_, commands, options, report));
         report.cpuMs =
