@@ -243,8 +243,8 @@ TEST_F(GlassGl, BehindAPaneIsSeenThroughItsColour) {
     expectColor(centre(), light * 0.5f * through(kRed) * through(kGreen));
 }
 
-// What goes through a pane is not scattered by it: of its diffuse light, as an opaque surface of its colour has it, the share
-// that it does not transmit is left, and what it mirrors.
+// What goes through a pane is not scattered by it: of the diffuse light of an opaque surface of its colour, the share that
+// it does not transmit is left, and what it mirrors.
 TEST_F(GlassGl, WhatIsTransmittedIsNotScatteredToo) {
     instances[0].material = glowing(vec3(0));
     sun.direction = glm::normalize(vec3(0.5f, -1, 0.2f));

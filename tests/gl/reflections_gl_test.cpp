@@ -154,7 +154,7 @@ TEST_F(ReflectionsGl, AMirrorShowsWhatRaysFind) {
     EXPECT_GT(float(right), 0.97f * float(compared));
 }
 
-// A bar before the camera hides a part of the way that rays go on the screen, which is far behind it: they go on to the wall.
+// A bar before the camera crosses the way of rays on the screen. They pass far behind it, and go on to the wall.
 TEST_F(ReflectionsGl, RaysPassBehindWhatIsFarBeforeThem) {
     const vec3 wall(1, 2, 4), red(8, 0, 0);
     buildHall(metal(0), glowing(wall));

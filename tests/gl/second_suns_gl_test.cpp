@@ -67,7 +67,8 @@ TEST_F(SecondSunsGl, EachCastsAShadowAtItsPlace) {
 // Suns at heights of their own over boxes in no order: no map could stand for another one's.
 TEST_F(SecondSunsGl, ShadowsLieWhereRaysSay) {
     const vec3 towards[] = {{-0.4f, 1, 0.1f}, {0.2f, 1, -0.7f}, {0.9f, 1, 0.3f}, {-0.2f, 1, 0.4f}};
-    const vec3 boxes[] = {{-0.9f, 0.8f, 0.4f}, {0.7f, 1, 0.9f}, {0.3f, 0.7f, -0.8f}, {-0.5f, 1.2f, -1.1f}, {1.3f, 0.9f, -0.2f}};
+    const vec3 boxes[] = {{-0.9f, 0.8f, 0.4f}, {0.7f, 1, 0.9f}, {0.3f, 0.7f, -0.8f}, {-0.5f, 1.2f, -1.1f},
+                          {1.3f, 0.9f, -0.2f}};
     RayScene scene(*renderer);
     scene.addBox({-6, -1, -6}, {6, 0, 6}, instances[0].material);
     for (const vec3& box : boxes)
