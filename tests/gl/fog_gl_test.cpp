@@ -225,6 +225,63 @@ TEST_F(FogGl, BlendedSurfacesAndEmissionLieInTheFogToo) {
     EXPECT_LT(std::min(std::abs(got - once), std::abs(got - twice)), 0.01f * once) << got;
 }
 
+// Nothing but background: the fog on the whole way, which rising rays leave and level ones do not.
+TEST_F(FogGl, TheBackgroundLiesBehindAllOfTheFog) {
+    const vec3 sky(2, 1, 0.5f), ambient(0.4f, 0.2f, 0.1f);
+    input.lighting.ambientSky = input.lighting.ambientGround = ambient;
+    input.lighting.backgroundColor = sky;
+    fog() = {.density = 0.03f, .heightFalloff = 0.1f, .height = -2, .albedo = vec3(0.8f), .anisotropy = 0,
+             .litDistance = 30};
+    const auto expectAt = [&](const CapturedImage& image, uint32_t y, float through) {
+        const vec3 want = sky * through + ambient * 0.8f * (1 - through), got = pixelOf(image, kWidth / 2, y);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], want[c], 0.01f * want[c]) << y << ": " << through;
+    };
+    // The integral of density * exp(-falloff * (rise * t - height)) over all t, rise being the sine of the ray's elevation.
+    const auto throughAll = [&](float rise) {
+        return rise <= 0 ? 0.0f : std::exp(-fog().density * std::exp(fog().heightFalloff * fog().height) /
+                                           (fog().heightFalloff * rise));
+    };
+    const CapturedImage image = render();
+    for (const uint32_t y : {4u, 14u, 24u, 34u, 60u, 80u}) {
+        const float up = (1 - (float(y) + 0.5f) / kHeight * 2) * std::tan(input.view.verticalFov / 2);
+        expectAt(image, y, throughAll(up / std::sqrt(1 + up * up)));
+    }
+    input.view.perspective = false;
+    input.view.farPlane = 50;
+    input.view.orthoHalfHeight = 0.01f;
+    for (const float rise : {-0.3f, 0.2f, 0.7f}) {
+        const vec3 forward(0, rise, -std::sqrt(1 - rise * rise));
+        input.view.viewFromWorld = glm::lookAt(vec3(0), forward, vec3(0, 1, 0));
+        expectAt(render(), kHeight / 2, throughAll(rise));
+    }
+}
+
+// What moves is drawn forward, for the G-buffer keeps its velocity where else emission is.
+TEST_F(FogGl, WhatGlowsIsBehindItMovingOrNot) {
+    const vec3 emitted(3, 1.5f, 0.75f), ambient(0.4f, 0.2f, 0.1f);
+    input.lighting.ambientSky = input.lighting.ambientGround = ambient;
+    MaterialDesc desc;
+    desc.baseColor = {0, 0, 0, 1};
+    desc.metallic = 1;  // reflects nothing
+    desc.emissive = emitted;
+    const MaterialHandle material = *renderer->createMaterial(desc);
+    for (const float distance : {5.0f, 20.0f, 60.0f}) {
+        instances.clear();
+        Instance& box = addBox({0, 0, -distance - 1}, {1000, 1000, 1}, material);
+        const mat4x3 before = glm::translate(mat4(1), vec3(0.1f, 0, 0)) * mat4(box.worldFromLocal);
+        const float through = std::exp(-fog().density * distance);
+        const vec3 want = emitted * through + ambient * fog().albedo * (1 - through);
+        for (const bool moves : {false, true}) {
+            if (moves) box.flags |= uint32_t(kInstanceMoving);
+            input.previousTransforms = {&before, 1};
+            const vec3 got = centre();
+            EXPECT_EQ(hasPass("forward"), moves);
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(got[c], want[c], 0.02f * want[c]) << distance << " metres, moves " << moves;
+        }
+    }
+}
+
 TEST_F(FogGl, WithoutDensityThereIsNoPass) {
     fog().density = 0;
     render();

@@ -243,6 +243,31 @@ TEST_F(GlassGl, BehindAPaneIsSeenThroughItsColour) {
     expectColor(centre(), light * 0.5f * through(kRed) * through(kGreen));
 }
 
+// What goes through a pane is not scattered by it: of the diffuse light of an opaque surface of its colour, the share that
+// it does not transmit is left, and what it mirrors.
+TEST_F(GlassGl, WhatIsTransmittedIsNotScatteredToo) {
+    instances[0].material = glowing(vec3(0));
+    sun.direction = glm::normalize(vec3(0.5f, -1, 0.2f));
+    shine();
+    PunctualLight above;
+    above.position = {0.5f, 2, 0.5f};
+    above.intensity = vec3(5);
+    input.lighting.punctual = {&above, 1};
+    input.lighting.ambientSky = vec3(0.3f);
+    addPane(0.1f, kRed);
+    instances.back().flags = 0;
+    const auto sent = [&](const vec3& color, float transmitted) {
+        MaterialDesc desc = glassDesc(color);
+        desc.transmission = transmitted;
+        instances.back().material = *renderer->createMaterial(desc);
+        return centre();
+    };
+    const vec3 mirrored = sent(vec3(0), 0), whole = sent(kRed, 0) - mirrored;
+    EXPECT_GT(whole.x, 0.5f);
+    for (const float transmitted : {0.25f, 0.5f, 1.0f})
+        expectColor(sent(kRed, transmitted), mirrored + whole * (1 - transmitted), "of what is left");
+}
+
 TEST_F(GlassGl, OverATransparentBackgroundAPaneCoversWhatItKeeps) {
     instances.clear();
     input.lighting.background = Background::transparent;

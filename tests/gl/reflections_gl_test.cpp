@@ -154,6 +154,57 @@ TEST_F(ReflectionsGl, AMirrorShowsWhatRaysFind) {
     EXPECT_GT(float(right), 0.97f * float(compared));
 }
 
+// A bar before the camera crosses the way of rays on the screen. They pass far behind it, and go on to the wall.
+TEST_F(ReflectionsGl, RaysPassBehindWhatIsFarBeforeThem) {
+    const vec3 wall(1, 2, 4), red(8, 0, 0);
+    buildHall(metal(0), glowing(wall));
+    scene->addBox({-9, 1.15f, 0.9f}, {9, 1.22f, 0.95f}, glowing(red));
+    const std::vector<float> image = radiance();
+    const CameraMatrices view = camera();
+    uint32_t compared = 0, right = 0;
+    for (uint32_t y = 0; y < kHeight; ++y)
+        for (uint32_t x = 26; x < kWidth - 26; ++x) {
+            const auto seen = seenAt(view, x, y);
+            if (!seen || seen->object != 0 || seen->normal.y < 0.9f || seen->position.z < -5.8f) continue;
+            const auto truth = mirrored(view, *seen);
+            if (!truth || truth->hit.object != 1 || !isInside(view, x, y, 1)) continue;
+            // Between the pixel and where its wall is seen lies the bar.
+            bool crosses = false;
+            for (uint32_t row = uint32_t(truth->pixel.y); row < y; ++row) {
+                const auto between = seenAt(view, x, row);
+                crosses = crosses || (between && between->object == 2);
+            }
+            if (!crosses || truth->pixel.y < 20) continue;
+            const vec3 got = at(image, x, y);
+            ASSERT_LT(got.x, 1.1f) << "the bar is mirrored at " << x << ", " << y;
+            ++compared;
+            right += glm::length(got - wall) < 0.05f * glm::length(wall);
+        }
+    std::printf("of %u rays behind the bar %u reach the wall\n", compared, right);
+    EXPECT_GT(compared, 1000u);
+    EXPECT_GT(float(right), 0.97f * float(compared));
+}
+
+// A thin board whose front glows and whose back does not, before a mirror: where that shows the back, nobody has seen it.
+TEST_F(ReflectionsGl, TheFrontOfThingsIsNotMirroredAsTheirBack) {
+    scene->addBox({-9, -1, -5}, {9, 9, -4}, metal(0));
+    scene->addBox({-0.6f, 0.4f, -2.98f}, {0.6f, 1.6f, -2.96f}, glowing({4, 4, 4}));
+    scene->addBox({-0.6f, 0.4f, -3}, {0.6f, 1.6f, -2.98f}, glowing(vec3(0)));
+    look({2.2f, 1, 2}, {0.3f, 1, -4});
+    const std::vector<float> image = radiance();
+    const CameraMatrices view = camera();
+    uint32_t backs = 0;
+    for (uint32_t y = 0; y < kHeight; ++y)
+        for (uint32_t x = 0; x < kWidth; ++x) {
+            const auto seen = seenAt(view, x, y);
+            if (!seen || seen->object != 0) continue;
+            const auto hit = scene->cast(seen->position, glm::reflect(-seen->view, seen->normal), 1e-3f);
+            backs += hit && hit->object == 2;
+            ASSERT_LT(at(image, x, y).x, 0.01f) << "the front is mirrored at " << x << ", " << y;
+        }
+    EXPECT_GT(backs, 500u);
+}
+
 TEST_F(ReflectionsGl, ARoughSurfaceKeepsItsSurroundings) {
     input.lighting.ambientSky = input.lighting.ambientGround = vec3(0.5f);
     buildHall(metal(0.65f), unlit(1));

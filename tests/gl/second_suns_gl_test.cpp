@@ -1,6 +1,7 @@
 // Several suns that cast shadows at once.
 
 #include "tests/support/lit_frame.h"
+#include "tests/support/ray_scene.h"
 
 #include <array>
 
@@ -60,6 +61,59 @@ TEST_F(SecondSunsGl, EachCastsAShadowAtItsPlace) {
         use(4);
         gone = missing();
         for (size_t i = 0; i < 4; ++i) EXPECT_NEAR(gone[i], float(i + 1) / 10, 0.01f) << i;
+    }
+}
+
+// Suns at heights of their own over boxes in no order: no map could stand for another one's.
+TEST_F(SecondSunsGl, ShadowsLieWhereRaysSay) {
+    const vec3 towards[] = {{-0.4f, 1, 0.1f}, {0.2f, 1, -0.7f}, {0.9f, 1, 0.3f}, {-0.2f, 1, 0.4f}};
+    const vec3 boxes[] = {{-0.9f, 0.8f, 0.4f}, {0.7f, 1, 0.9f}, {0.3f, 0.7f, -0.8f}, {-0.5f, 1.2f, -1.1f},
+                          {1.3f, 0.9f, -0.2f}};
+    RayScene scene(*renderer);
+    scene.addBox({-6, -1, -6}, {6, 0, 6}, instances[0].material);
+    for (const vec3& box : boxes)
+        scene.addBox(box - vec3(0.3f, 0.05f, 0.2f), box + vec3(0.3f, 0.05f, 0.2f), instances[0].material);
+    const std::span<const Instance> all = scene.instances();
+    std::array<float, 4> open{};
+    for (size_t i = 0; i < suns.size(); ++i) {
+        suns[i].direction = -glm::normalize(towards[i]);
+        instances = {all[0]};
+        input.lighting.directional = std::span(suns).subspan(i, 1);
+        open[i] = at(render(), 0, 0);
+    }
+    instances.assign(all.begin(), all.end());
+    // Where a shadow's edge is near, the filter decides.
+    const float near = 0.05f;
+    const auto reaches = [&](const vec3& point, size_t sun) {
+        int lit = 0;
+        for (const float x : {-near, 0.0f, near})
+            for (const float z : {-near, 0.0f, near})
+                lit += !scene.cast(point + vec3(x, 1e-3f, z), glm::normalize(towards[sun]));
+        return lit == 0 ? 0.0f : lit == 9 ? 1.0f : -1.0f;
+    };
+    for (const size_t count : {2u, 3u, 4u}) {
+        use(count);
+        const CapturedImage image = render();
+        std::array<uint32_t, 4> shadowed{};
+        uint32_t wrong = 0, compared = 0;
+        for (uint32_t y = 0; y < kSide; ++y)
+            for (uint32_t x = 0; x < kSide; ++x) {
+                const vec3 point((float(x) + 0.5f) / kSide * 2 * kHalf - kHalf, 0,
+                                 (float(y) + 0.5f) / kSide * 2 * kHalf - kHalf);
+                float want = 0;
+                bool known = true;
+                for (size_t i = 0; i < count; ++i) {
+                    const float share = reaches(point, i);
+                    known = known && share >= 0;
+                    want += share * open[i];
+                    shadowed[i] += share == 0;
+                }
+                compared += known;
+                wrong += known && std::abs(pixelOf(image, x, y).x - want) > 0.01f * want + 1e-3f;
+            }
+        EXPECT_EQ(wrong, 0u) << count << " suns";
+        EXPECT_GT(compared, kSide * kSide / 2);
+        for (size_t i = 0; i < count; ++i) EXPECT_GT(shadowed[i], 200u) << "of the sun " << i;
     }
 }
 

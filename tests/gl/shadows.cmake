@@ -11,11 +11,12 @@ target_link_libraries(shadows_gl_test PRIVATE
   GTest::gtest_main rushlight_options)
 gtest_discover_tests(shadows_gl_test PROPERTIES TIMEOUT 600)
 
-# Of area lights and of several suns, on a fixture of their own.
+# Of area lights and of suns, on a fixture of their own.
 add_executable(shadow_lights_gl_test
   area_shadow_gl_test.cpp
   penumbra_gl_test.cpp
   second_suns_gl_test.cpp
+  sun_shadows_gl_test.cpp
   ../support/lit_frame.cpp
   ../support/test_context.cpp)
 target_include_directories(shadow_lights_gl_test PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
