@@ -25,12 +25,13 @@ struct LitSurface {
     ShadingPoint point;
 };
 
-// From the neighbouring pixels' positions; those beside another surface know no better than the shading normal.
+// Of what is drawn here: a block of 2x2 pixels has positions of one triangle. (A whole picture's are of any: it has
+// facingOfDepths.)
 vec4 facingOf(vec3 position, vec3 normal) {
     vec3 across = cross(dFdx(position), dFdy(position));
-    float size = inversesqrt(max(dot(across, across), 1e-30));
-    float along = dot(across, normal) * size;
-    return abs(along) > 0.9 ? vec4(across * (along < 0.0 ? -size : size), 0.0) : vec4(normal, 1.0);
+    float area = dot(across, across);
+    float side = dot(across, normal) < 0.0 ? -1.0 : 1.0;
+    return area > 1e-30 ? vec4(across * (side * inversesqrt(area)), 0.0) : vec4(normal, 1.0);
 }
 
 LitSurface makeLitSurface(vec3 position, float viewDepth, vec3 view, vec3 normal, vec3 baseColor,
