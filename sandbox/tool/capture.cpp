@@ -13,6 +13,7 @@
 
 #include <cinttypes>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -112,7 +113,7 @@ Result<void> Capture::write(const FrameInput& frame, const std::string& path) {
     if (options.savedFrame)
         if (auto written = writeFile(arguments_.saveFrame, saved); !written) return written;
     if (arguments_.hashes) printHashes(setup_.renderer().report());
-    return saveImage(path, PictureView(*image));
+    return saveImage(path, PictureView(*image), arguments_.sequence.effort);
 }
 
 Result<void> Capture::allPasses() {
@@ -229,6 +230,13 @@ void addCapture(CLI::App& app, Action& action) {
                      ".png or .jpg (tone mapped), .exr (linear); shot_%04d.png with --frames; a "
                      "folder with --pass all")
         ->required();
+    command
+        ->add_option("--compression", arguments->sequence.effort,
+                     "Of .png and .exr: none is the fastest for sequences, small the smallest (fast)")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, EncodeEffort>{{"none", EncodeEffort::none},
+                                                {"fast", EncodeEffort::fast},
+                                                {"small", EncodeEffort::small}}));
     CLI::Option* pass = command->add_option("--pass", arguments->pass,
                                             "Show the output of this pass instead of the frame; "
                                             "all writes each");

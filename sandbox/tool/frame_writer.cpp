@@ -1,16 +1,13 @@
 #include "sandbox/tool/frame_writer.h"
 
-#include "renderer/capture/image_files.h"
-
 #ifdef __linux__
-#include <sys/resource.h>
-#include <unistd.h>
+#include <pthread.h>
 #endif
 
 namespace rushlight::tool {
 
-FrameWriter::FrameWriter(size_t mostWaiting)
-    : mostWaiting_(mostWaiting), thread_([this] { run(); }) {}
+FrameWriter::FrameWriter(size_t mostWaiting, EncodeEffort effort)
+    : mostWaiting_(mostWaiting), effort_(effort), thread_([this] { run(); }) {}
 
 FrameWriter::~FrameWriter() {
     {
@@ -46,7 +43,7 @@ Result<void> FrameWriter::finish() {
 
 void FrameWriter::run() {
 #ifdef __linux__
-    setpriority(PRIO_PROCESS, id_t(gettid()), 10);  // of this thread alone; refused, it is no harm
+    pthread_setname_np(pthread_self(), "frame writer");
 #endif
     std::unique_lock lock(mutex_);
     for (;;) {
@@ -62,7 +59,7 @@ void FrameWriter::run() {
         if (!failed) {
             PictureView view(job.image);
             view.description = job.description;
-            saved = saveImage(job.path, view);
+            saved = saveImage(job.path, view, effort_);
         }
         lock.lock();
         writing_ = false;

@@ -2,6 +2,7 @@
 // Pictures into files, behind the frames that are drawn.
 
 #include "engine/core/result.h"
+#include "renderer/capture/image_files.h"
 #include "renderer/renderer.h"
 
 #include <condition_variable>
@@ -13,12 +14,11 @@
 
 namespace rushlight::tool {
 
-/// Encodes and writes on a thread of its own, in order, of a low priority where the system has one for threads: what it
-/// does fits into the times when a frame leaves cores idle. A picture is in its file wholly or not at all.
+/// Encodes and writes on a thread of its own, in order. A picture is in its file wholly or not at all.
 class FrameWriter {
 public:
     /// At most `mostWaiting` pictures are kept in memory besides the one that is being written.
-    explicit FrameWriter(size_t mostWaiting);
+    FrameWriter(size_t mostWaiting, EncodeEffort effort);
     /// What waits is written.
     ~FrameWriter();
     FrameWriter(const FrameWriter&) = delete;
@@ -42,6 +42,7 @@ private:
     void run();
 
     const size_t mostWaiting_;
+    const EncodeEffort effort_;
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Job> jobs_;

@@ -55,7 +55,7 @@ Result<SequenceCounts> Sequence::run(const FrameOptions& options, const Drawn& d
     const bool linear = *imageFormatOf(options_.output) == ImageFormat::exr;
     Renderer& renderer = setup_.renderer();
     SequenceCounts counts;
-    FrameWriter writer(kMostWaiting);
+    FrameWriter writer(kMostWaiting, options_.effort);
     Pending pending;
     CapturedImage image;
     const auto fetch = [&]() -> Result<void> {

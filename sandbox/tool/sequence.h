@@ -1,6 +1,7 @@
 #pragma once
 // Frames A to B of a scene with a fixed clock, into a file each.
 
+#include "renderer/capture/image_files.h"
 #include "sandbox/tool/options.h"
 #include "sandbox/tool/render_setup.h"
 #include "sandbox/tool/stats.h"
@@ -17,6 +18,7 @@ struct SequenceOptions {
     float framesPerSecond = 30;
     float startTime = 0;  ///< seconds, of frame 0
     uvec2 size{0};
+    EncodeEffort effort = EncodeEffort::fast;
     bool resume = false;      ///< frames that are there, whole and by the same key, are kept
     bool write = true;        ///< false: frames are drawn and read back only, to see what writing costs
     std::string key;          ///< of all that decides what the frames show

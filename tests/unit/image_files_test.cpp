@@ -100,6 +100,38 @@ TEST_F(ImageFiles, OpaquePngHasNoAlphaChannel) {
     }
 }
 
+TEST_F(ImageFiles, OpaqueExrHasNoAlphaChannel) {
+    for (const float alpha : {1.0f, 0.5f}) {
+        const Image8 image{2, 1, {}, {0.25f, 3, 1, 1, 0.5f, 0.25f, 0.125f, alpha}};
+        ASSERT_TRUE(saveImage(at("a.exr"), PictureView(image)));
+        EXPECT_EQ(loadPicture(at("a.exr"))->rgba, image.rgba32f);
+        // OpenEXR's list of channels: each name, a zero and 16 bytes.
+        const std::string file = contents(at("a.exr"));
+        const auto channels = file.find(std::string("chlist\0", 7));
+        ASSERT_NE(channels, std::string::npos);
+        EXPECT_EQ(file[channels + 11], alpha < 1 ? 'A' : 'B');
+    }
+}
+
+TEST_F(ImageFiles, EffortChangesTheSizeAndNoPixel) {
+    Image8 display = gradient(64, 64, false), linear{64, 64, {}, {}};
+    for (uint8_t value : display.rgba8) linear.rgba32f.push_back(float(value) / 16);
+    for (const auto& [name, image] : {std::pair("a.png", &display), std::pair("a.exr", &linear)}) {
+        size_t last = SIZE_MAX;
+        std::vector<float> pixels;
+        for (const EncodeEffort effort : {EncodeEffort::none, EncodeEffort::fast, EncodeEffort::small}) {
+            ASSERT_TRUE(saveImage(at(name), PictureView(*image), effort));
+            const size_t size = contents(at(name)).size();
+            EXPECT_LE(size, last) << name << " " << int(effort);
+            EXPECT_EQ(size > 64u * 64 * 4, effort == EncodeEffort::none) << name;
+            last = size;
+            const auto loaded = loadPicture(at(name));
+            if (pixels.empty()) pixels = loaded->rgba;
+            EXPECT_EQ(loaded->rgba, pixels);
+        }
+    }
+}
+
 TEST_F(ImageFiles, ExrKeepsRangeAndPremultipliedAlpha) {
     const Image8 image{2, 1, {}, {0.25f, 1000, -2, 0.5f, 65504, 0, 1, 0}};
     ASSERT_TRUE(saveImage(at("a.exr"), PictureView(image)));
