@@ -1,6 +1,6 @@
 #include "tests/support/faulty_gl.h"
 
-#include "tests/support/test_context.h"
+#include "tests/support/replaced_gl.h"
 
 #include <GL/glcorearb.h>
 
@@ -76,16 +76,6 @@ void APIENTRY multiDraw(GLenum mode, GLenum type, const void* indirect, GLsizei 
                                                                                 stride);
 }
 
-struct Replaced {
-    std::string_view name;
-    void* function;
-};
-
-template <class F>
-void* address(F* function) {
-    return reinterpret_cast<void*>(function);
-}
-
 }  // namespace
 
 void FaultyGl::set(GlFault kind, uint32_t number) {
@@ -96,22 +86,20 @@ void FaultyGl::set(GlFault kind, uint32_t number) {
 }
 
 void* FaultyGl::load(const char* name) {
-    const Replaced replaced[] = {
-        {"glNamedBufferStorage", address(&bufferStorage)},
-        {"glTextureStorage2D", address(&textureStorage2d)},
-        {"glTextureStorage3D", address(&textureStorage3d)},
-        {"glGetError", address(&getError)},
-        {"glMapNamedBufferRange", address(&mapRange)},
-        {"glGetShaderiv", address(&getShader)},
-        {"glGetProgramiv", address(&getProgram)},
-        {"glCheckNamedFramebufferStatus", address(&framebufferStatus)},
-        {"glGetGraphicsResetStatus", address(&resetStatus)},
-        {"glDrawArraysInstanced", address(&drawArrays)},
-        {"glMultiDrawElementsIndirect", address(&multiDraw)},
+    const ReplacedGl replaced[] = {
+        {"glNamedBufferStorage", &bufferStorage},
+        {"glTextureStorage2D", &textureStorage2d},
+        {"glTextureStorage3D", &textureStorage3d},
+        {"glGetError", &getError},
+        {"glMapNamedBufferRange", &mapRange},
+        {"glGetShaderiv", &getShader},
+        {"glGetProgramiv", &getProgram},
+        {"glCheckNamedFramebufferStatus", &framebufferStatus},
+        {"glGetGraphicsResetStatus", &resetStatus},
+        {"glDrawArraysInstanced", &drawArrays},
+        {"glMultiDrawElementsIndirect", &multiDraw},
     };
-    for (const Replaced& one : replaced)
-        if (one.name == name) return one.function;
-    return TestContext::load(name);
+    return loadReplaced(replaced, name);
 }
 
 }  // namespace rushlight

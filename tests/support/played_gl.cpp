@@ -1,6 +1,6 @@
 #include "tests/support/played_gl.h"
 
-#include "tests/support/test_context.h"
+#include "tests/support/replaced_gl.h"
 
 #include <GL/glcorearb.h>
 
@@ -106,16 +106,6 @@ void APIENTRY elementBuffer(GLuint array, GLuint buffer) {
     real<PFNGLVERTEXARRAYELEMENTBUFFERPROC>("glVertexArrayElementBuffer")(array, driversName(buffer));
 }
 
-struct Replaced {
-    std::string_view name;
-    void* function;
-};
-
-template <class F>
-void* address(F* function) {
-    return reinterpret_cast<void*>(function);
-}
-
 }  // namespace
 
 void PlayedGl::reset() {
@@ -131,30 +121,28 @@ void PlayedGl::reset() {
 }
 
 void* PlayedGl::load(const char* name) {
-    const Replaced replaced[] = {
-        {"glQueryCounter", address(&queryCounter)},
-        {"glGetQueryObjectiv", address(&getQueryObject)},
-        {"glGetInteger64v", address(&getInteger64)},
-        {"glGetQueryObjectui64v", address(&getQueryTime)},
-        {"glCreateBuffers", address(&createBuffers)},
-        {"glDeleteBuffers", address(&deleteBuffers)},
-        {"glObjectLabel", address(&label)},
-        {"glNamedBufferStorage", address(&storage)},
-        {"glGetNamedBufferParameteriv", address(&parameter)},
-        {"glNamedBufferSubData", address(&write)},
-        {"glGetNamedBufferSubData", address(&read)},
-        {"glCopyNamedBufferSubData", address(&copy)},
-        {"glMapNamedBufferRange", address(&map)},
-        {"glUnmapNamedBuffer", address(&unmap)},
-        {"glBindBuffer", address(&bind)},
-        {"glBindBufferRange", address(&bindRange)},
-        {"glTextureBufferRange", address(&textureRange)},
-        {"glVertexArrayVertexBuffer", address(&vertexBuffer)},
-        {"glVertexArrayElementBuffer", address(&elementBuffer)},
+    const ReplacedGl replaced[] = {
+        {"glQueryCounter", &queryCounter},
+        {"glGetQueryObjectiv", &getQueryObject},
+        {"glGetInteger64v", &getInteger64},
+        {"glGetQueryObjectui64v", &getQueryTime},
+        {"glCreateBuffers", &createBuffers},
+        {"glDeleteBuffers", &deleteBuffers},
+        {"glObjectLabel", &label},
+        {"glNamedBufferStorage", &storage},
+        {"glGetNamedBufferParameteriv", &parameter},
+        {"glNamedBufferSubData", &write},
+        {"glGetNamedBufferSubData", &read},
+        {"glCopyNamedBufferSubData", &copy},
+        {"glMapNamedBufferRange", &map},
+        {"glUnmapNamedBuffer", &unmap},
+        {"glBindBuffer", &bind},
+        {"glBindBufferRange", &bindRange},
+        {"glTextureBufferRange", &textureRange},
+        {"glVertexArrayVertexBuffer", &vertexBuffer},
+        {"glVertexArrayElementBuffer", &elementBuffer},
     };
-    for (const Replaced& one : replaced)
-        if (one.name == name) return one.function;
-    return TestContext::load(name);
+    return loadReplaced(replaced, name);
 }
 
 }  // namespace rushlight
