@@ -2,6 +2,7 @@
 
 #include "renderer/capture/image_files.h"
 #include "sandbox/tool/command.h"
+#include "sandbox/tool/hash_lists.h"
 #include "sandbox/tool/options.h"
 
 #include <cmath>
@@ -19,6 +20,7 @@ struct CompareArguments {
     std::string diff, error;
     std::optional<double> maxFlip, minPsnr, maxError, minSsim, minAlphaOverlap;
     float pixelsPerDegree = kDefaultPixelsPerDegree;
+    bool hashes = false;
 };
 
 /// One line of the report; "ok" or "over" where there is a limit.
@@ -34,6 +36,11 @@ bool printMeasure(const char* name, double value, const char* unit, std::optiona
 }
 
 Result<int> compare(const CompareArguments& arguments) {
+    if (arguments.hashes) {
+        const auto equal = compareHashLists(arguments.a, arguments.b);
+        if (!equal) return tl::unexpected(equal.error());
+        return *equal ? kSuccess : kComparisonFailed;
+    }
     for (const std::string& path : {arguments.diff, arguments.error})
         if (!path.empty())
             if (auto format = imageFormatOf(path); !format)
@@ -92,6 +99,11 @@ void addCompare(CLI::App& app, Action& action) {
         ->check(finiteNumber())
         ->check(CLI::Range(1.0f, 500.0f))
         ->capture_default_str();
+    CLI::Option* hashes = command->add_flag(
+        "--hashes", arguments->hashes,
+        "A and B are what `capture --hashes` printed: name the first pass that differs, exit with 1");
+    for (CLI::Option* option : command->get_options())
+        if (option != hashes && option->nonpositional() && option->get_name() != "--help") hashes->excludes(option);
     command->callback(
         [&action, arguments] { action = [arguments] { return compare(*arguments); }; });
 }

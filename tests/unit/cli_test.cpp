@@ -1,3 +1,5 @@
+#include "tests/support/temporary_directory.h"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -8,7 +10,7 @@ namespace {
 
 struct Ended {
     int code = -1;
-    std::string errors;
+    std::string errors, output;
 };
 
 /// Runs the tool; collects standard error alone.
@@ -20,6 +22,18 @@ Ended run(const std::string& arguments) {
     char buffer[256];
     while (const size_t count = fread(buffer, 1, sizeof buffer, pipe))
         result.errors.append(buffer, count);
+    result.code = WEXITSTATUS(pclose(pipe));
+    return result;
+}
+
+/// The same, with its standard output in place of its errors.
+Ended runForOutput(const std::string& arguments) {
+    Ended result;
+    FILE* pipe = popen((RUSHLIGHT_TOOL " " + arguments + " 2>/dev/null").c_str(), "r");
+    if (!pipe) return result;
+    char buffer[256];
+    while (const size_t count = fread(buffer, 1, sizeof buffer, pipe))
+        result.output.append(buffer, count);
     result.code = WEXITSTATUS(pclose(pipe));
     return result;
 }
@@ -61,7 +75,8 @@ TEST(Cli, WrongUseIsTwo) {
           "explain a.glb 5,6,7", "explain a.glb -1,5", "explain a.glb 5.5,1", "explain a.glb 1280,0",
           "explain a.glb 0,32 --size 64x32", "explain a.glb 0,0 --stats s.json",
           "check a.glb", "check a.glb --golden g.jpg", "check a.glb --golden g.png --flip nan", "goldens",
-          "compare a.png b.png --flip nan", "compare a.png b.png --pixels-per-degree nan"})
+          "compare a.png b.png --flip nan", "compare a.png b.png --pixels-per-degree nan", "compare a.txt b.txt --hashes --flip 0.1",
+          "capture a.glb -o a.png --compression best"})
         expectError(arguments, 2);
 }
 
@@ -80,6 +95,35 @@ TEST(Cli, BadInputIsThree) {
     expectError("replay /dev --list", 3);
     expectError("replay " RUSHLIGHT_TOOL " --list", 3);
     expectError("replay --diff " RUSHLIGHT_TOOL " " RUSHLIGHT_TOOL, 3);
+}
+
+TEST(Cli, ListsOfHashesNameTheFirstPassThatDiffers) {
+    const rushlight::TemporaryDirectory folder;
+    const auto list = [&](const char* name, const std::string& text) {
+        folder.write(name, text);
+        return folder.path() + "/" + name;
+    };
+    const std::string depth = "gbuffer depth 0123456789abcdef\n", light = "lighting radiance aaaaaaaaaaaaaaaa\n",
+                      other = "lighting radiance aaaaaaaaaaaaaaab\n", bloom = "bloom image 1111111111111111\n",
+                      brighter = "bloom image 2222222222222222\n";
+    const std::string a = list("a.txt", depth + light + bloom);
+    const Ended same = runForOutput("compare --hashes " + a + " " + a);
+    EXPECT_EQ(same.code, 0);
+    EXPECT_EQ(same.output, "all 3 images are equal\n");
+    const Ended differs = runForOutput("compare --hashes " + a + " " + list("b.txt", depth + other + brighter));
+    EXPECT_EQ(differs.code, 1);
+    EXPECT_EQ(differs.output, "line 2: lighting radiance is the first that differs (aaaaaaaaaaaaaaaa, "
+                              "aaaaaaaaaaaaaaab); 2 of 3 do\n");
+    for (const std::string& less : {depth + bloom, depth}) {
+        const std::string b = list("less.txt", less);
+        const Ended missing = runForOutput("compare --hashes " + a + " " + b);
+        EXPECT_EQ(missing.code, 1);
+        EXPECT_EQ(missing.output, "line 2: " + a + " has lighting radiance, " + b + " has " +
+                                      (less == depth ? "nothing more" : "bloom image") + "\n");
+    }
+    for (const char* wrong : {"", "gbuffer 0123456789abcdeg\n", "0123456789abcdef\n", "gbuffer depth 0123\n", "\n"})
+        expectError("compare --hashes " + a + " " + list("wrong.txt", wrong), 3);
+    expectError("compare --hashes " + a + " /nowhere/b.txt", 3);
 }
 
 TEST(Cli, ATraceThatCannotBeWrittenIsSaidBeforeTheSceneIsLoaded) {
