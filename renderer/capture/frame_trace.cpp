@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace rushlight {
 namespace {
@@ -90,22 +89,19 @@ void FrameTrace::add(const FrameReport& report, const FrameTiming& timing) {
     ++frames_;
     recent_[report.frameNumber % recent_.size()] = {report.frameNumber, begin, buildEnd, false, {}};
 
-    // Events are in the order of their begins, and what holds others is before them.
-    std::string before = std::exchange(events_, {});
     Known* executed = known(report.executedFrame);
     if (executed && executed->executed) executed = nullptr;  // that was told before
-    int64_t end = std::max(begin + nanoseconds(timing.wallMs), buildEnd);
-    if (executed && report.executedFrame == report.frameNumber)
-        end = std::max(end, addExecution(report, *executed, kCpu, buildEnd).end);
-    std::swap(before, events_);
-    writer.complete(kCpu, name, "frame", begin, end, frameArguments(report, timing));
+    const bool serves = executed && report.executedFrame != report.frameNumber;
+    Execution execute;
+    if (executed) execute = execution(report, *executed, serves ? kServing : kCpu, serves ? servingEnd_ : buildEnd);
+    cpuEnd_ = std::max({begin + nanoseconds(timing.wallMs), buildEnd, serves ? 0 : execute.end});
+    // What holds others comes before them.
+    writer.complete(kCpu, name, "frame", begin, cpuEnd_, frameArguments(report, timing));
     writer.complete(kCpu, "build", "stage", begin, buildEnd);
-    events_ += before;
-    cpuEnd_ = end;
-
-    if (executed && report.executedFrame != report.frameNumber) {
+    events_ += execute.events;
+    if (serves) {
         serves_ = true;
-        servingEnd_ = addExecution(report, *executed, kServing, servingEnd_).end;
+        servingEnd_ = execute.end;
     }
     addGpu(report);
     writer.counter("draws", begin, report.draws);
@@ -114,8 +110,8 @@ void FrameTrace::add(const FrameReport& report, const FrameTiming& timing) {
     writer.counter("allocations", begin, timing.allocations);
 }
 
-FrameTrace::Span FrameTrace::addExecution(const FrameReport& report, Known& frame, int track,
-                                          int64_t earliest) {
+FrameTrace::Execution FrameTrace::execution(const FrameReport& report, Known& frame, int track,
+                                            int64_t earliest) {
     frame.executed = true;
     frame.executeBegin = std::max(frame.begin + nanoseconds(report.cpuExecuteBeginMs), earliest);
     int64_t end = frame.executeBegin;
@@ -129,12 +125,14 @@ FrameTrace::Span FrameTrace::addExecution(const FrameReport& report, Known& fram
         writer.complete(track, pass.name, "pass", begin, end, frame.passes.back().second);
     }
     end = std::max(end, frame.executeBegin + nanoseconds(report.cpuExecuteMs));
-    Writer(events_).complete(track, "execute", "stage", frame.executeBegin, end,
-                             dump({{"frame", *frame.number},
-                                   {"gl_calls", report.glCalls},
-                                   {"state_changes", report.stateChanges}}));
-    events_ += passes;
-    return {frame.executeBegin, end};
+    Execution result{end, {}};
+    Writer(result.events)
+        .complete(track, "execute", "stage", frame.executeBegin, end,
+                  dump({{"frame", *frame.number},
+                        {"gl_calls", report.glCalls},
+                        {"state_changes", report.stateChanges}}));
+    result.events += passes;
+    return result;
 }
 
 void FrameTrace::addGpu(const FrameReport& report) {

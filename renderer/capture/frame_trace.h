@@ -49,11 +49,12 @@ private:
         bool executed = false;
         std::vector<std::pair<std::string, std::string>> passes;  ///< name and arguments
     };
-    struct Span {
-        int64_t begin = 0, end = 0;
+    struct Execution {
+        int64_t end = 0;
+        std::string events;
     };
     Known* known(uint64_t number);
-    Span addExecution(const FrameReport& report, Known& frame, int track, int64_t earliest);
+    Execution execution(const FrameReport& report, Known& frame, int track, int64_t earliest);
     void addGpu(const FrameReport& report);
 
     std::array<Known, 16> recent_;  ///< by number modulo its size
