@@ -88,6 +88,16 @@ protected:
         EXPECT_TRUE(device_->takeReadback(ticket_, true, result));
         return result;
     }
+    ReadbackImage toneMapped(TonemapPass& pass, TextureHandle source) {
+        begin();
+        TonemapPass::Inputs in;
+        in.radiance = import(source, Format::rgba16f);
+        in.settings = &settings_;
+        in.target = target();
+        in.data = &commands_;
+        EXPECT_TRUE(pass.add(*plan_, in));
+        return run(in.target.image);
+    }
     static std::array<int, 4> texel(const ReadbackImage& image, uint32_t x, uint32_t y) {
         std::array<int, 4> t;
         for (size_t c = 0; c < 4; ++c) t[c] = int(image.bytes[(y * image.width + x) * 4 + c]);
@@ -115,16 +125,9 @@ TEST_F(PostGlTest, ToneMapsAsTheSharedSourceSays) {
         {ToneMap::agx, interop::toneMapAgx},
         {ToneMap::aces, interop::toneMapAces}};
     for (const auto& [toneMap, curve] : curves) {
-        begin();
         settings_.toneMap = toneMap;
         settings_.exposureScale = 1.5f;
-        TonemapPass::Inputs in;
-        in.radiance = import(source, Format::rgba16f);
-        in.settings = &settings_;
-        in.target = target();
-        in.data = &commands_;
-        ASSERT_TRUE(pass.add(*plan_, in));
-        const ReadbackImage image = run(in.target.image);
+        const ReadbackImage image = toneMapped(pass, source);
         for (uint32_t y = 0; y < kHeight; y += 5)
             for (uint32_t x = 0; x < kWidth; x += 7) {
                 const vec3 expected = interop::encodeSrgb(
@@ -143,15 +146,8 @@ TEST_F(PostGlTest, AnExposureValueHalvesLightByTheStop) {
     TonemapPass pass(*device_);
     settings_.useExposureValue = true;
     for (const float stops : {-1.0f, 0.0f, 1.0f, 3.0f}) {
-        begin();
         settings_.exposureValue = stops;
-        TonemapPass::Inputs in;
-        in.radiance = import(source, Format::rgba16f);
-        in.settings = &settings_;
-        in.target = target();
-        in.data = &commands_;
-        ASSERT_TRUE(pass.add(*plan_, in));
-        const auto shown = texel(run(in.target.image), 5, 5);
+        const auto shown = texel(toneMapped(pass, source), 5, 5);
         for (size_t c = 0; c < 3; ++c) {
             const float light = 0.5f * float(1 << c) / std::exp2(stops);
             const float expected = interop::encodeSrgb(vec3(std::min(light, 1.0f))).x * 255;

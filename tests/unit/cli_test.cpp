@@ -13,29 +13,24 @@ struct Ended {
     std::string errors, output;
 };
 
-/// Runs the tool; collects standard error alone.
-Ended run(const std::string& arguments) {
+Ended runAndRead(const std::string& arguments, const char* redirection, std::string Ended::* text) {
     Ended result;
-    const std::string command = RUSHLIGHT_TOOL " " + arguments + " 2>&1 >/dev/null";
-    FILE* pipe = popen(command.c_str(), "r");
+    FILE* pipe = popen((RUSHLIGHT_TOOL " " + arguments + redirection).c_str(), "r");
     if (!pipe) return result;
     char buffer[256];
     while (const size_t count = fread(buffer, 1, sizeof buffer, pipe))
-        result.errors.append(buffer, count);
+        (result.*text).append(buffer, count);
     result.code = WEXITSTATUS(pclose(pipe));
     return result;
 }
 
-/// The same, with its standard output in place of its errors.
+/// Runs the tool; collects standard error alone.
+Ended run(const std::string& arguments) {
+    return runAndRead(arguments, " 2>&1 >/dev/null", &Ended::errors);
+}
+/// Standard output alone.
 Ended runForOutput(const std::string& arguments) {
-    Ended result;
-    FILE* pipe = popen((RUSHLIGHT_TOOL " " + arguments + " 2>/dev/null").c_str(), "r");
-    if (!pipe) return result;
-    char buffer[256];
-    while (const size_t count = fread(buffer, 1, sizeof buffer, pipe))
-        result.output.append(buffer, count);
-    result.code = WEXITSTATUS(pclose(pipe));
-    return result;
+    return runAndRead(arguments, " 2>/dev/null", &Ended::output);
 }
 
 void expectError(const std::string& arguments, int code) {
