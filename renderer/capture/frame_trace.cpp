@@ -99,10 +99,7 @@ void FrameTrace::add(const FrameReport& report, const FrameTiming& timing) {
     writer.complete(kCpu, name, "frame", begin, cpuEnd_, frameArguments(report, timing));
     writer.complete(kCpu, "build", "stage", begin, buildEnd);
     events_ += execute.events;
-    if (serves) {
-        serves_ = true;
-        servingEnd_ = execute.end;
-    }
+    if (serves) servingEnd_ = execute.end;
     addGpu(report);
     writer.counter("draws", begin, report.draws);
     writer.counter("triangles", begin, report.triangles);
@@ -165,7 +162,7 @@ std::string FrameTrace::json(std::string_view device, std::string_view version) 
     writer.metadata("process_name", 0, "rushlight");
     writer.metadata("thread_name", kCpu, "CPU");
     writer.metadata("thread_name", kGpu, "GPU");
-    if (serves_) writer.metadata("thread_name", kServing, "Serving thread");
+    if (servingEnd_ > 0) writer.metadata("thread_name", kServing, "Serving thread");
     ordered_json about = {{"gl_renderer", std::string(device)},
                           {"gl_version", std::string(version)},
                           {"frames", frames_},

@@ -60,10 +60,9 @@ private:
     std::array<Known, 16> recent_;  ///< by number modulo its size
     std::string events_;            ///< one a line, each with a comma before it
     std::string error_;
-    int64_t cpuEnd_ = 0, servingEnd_ = 0, gpuEnd_ = 0;
+    int64_t cpuEnd_ = 0, servingEnd_ = 0, gpuEnd_ = 0;  ///< of their tracks; 0: nothing is on it
     std::optional<uint64_t> lastOnGpu_;
     uint32_t frames_ = 0;
-    bool serves_ = false;
 };
 
 }  // namespace rushlight

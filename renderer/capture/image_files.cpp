@@ -31,10 +31,14 @@ struct Encoding {
     std::vector<uint16_t> halves;
 };
 
-bool isOpaque(std::span<const uint8_t> rgba8) {
-    for (size_t i = 3; i < rgba8.size(); i += 4)
-        if (rgba8[i] != 255) return false;
+template <class Value>
+bool isOpaque(std::span<const Value> rgba, Value opaque) {
+    for (size_t i = 3; i < rgba.size(); i += 4)
+        if (rgba[i] != opaque) return false;
     return true;
+}
+bool isOpaque(const PictureView& view) {
+    return view.rgba8.empty() ? isOpaque(view.rgba32f, 1.0f) : isOpaque(view.rgba8, uint8_t(255));
 }
 
 std::vector<uint8_t> overBlack(std::span<const uint8_t> rgba8) {
@@ -58,7 +62,7 @@ Encoding encoding8(const char* fileName, const PictureView& view, int channels) 
 }
 
 Encoding pngEncoding(const PictureView& view, EncodeEffort effort) {
-    Encoding e = encoding8("picture.png", view, isOpaque(view.rgba8) ? 3 : 4);
+    Encoding e = encoding8("picture.png", view, isOpaque(view) ? 3 : 4);
     e.spec.attribute("oiio:UnassociatedAlpha", 1);
     // Level 1 with the "sub" filter: the fastest that still compresses; 8 is no filter.
     constexpr int kLevels[] = {0, 1, 6};
@@ -73,17 +77,11 @@ Encoding jpegEncoding(const PictureView& view, EncodeEffort effort) {
     const bool fast = effort != EncodeEffort::small;
     e.spec.attribute("Compression", fast ? "jpeg:95" : "jpeg:88");
     e.spec.attribute("jpeg:subsampling", fast ? "4:4:4" : "4:2:0");
-    if (!isOpaque(view.rgba8)) {
+    if (!isOpaque(view)) {
         e.storage = overBlack(view.rgba8);
         e.pixels = e.storage.data();
     }
     return e;
-}
-
-bool isOpaque(std::span<const float> rgba32f) {
-    for (size_t i = 3; i < rgba32f.size(); i += 4)
-        if (rgba32f[i] != 1) return false;
-    return true;
 }
 
 Encoding exrEncoding(const PictureView& view, EncodeEffort effort) {
@@ -93,7 +91,7 @@ Encoding exrEncoding(const PictureView& view, EncodeEffort effort) {
                           return !std::isfinite(v) || std::abs(v) <= kLargestHalf;
                       });
     Encoding e{.fileName = "picture.exr",
-               .spec = OIIO::ImageSpec(int(view.width), int(view.height), isOpaque(view.rgba32f) ? 3 : 4,
+               .spec = OIIO::ImageSpec(int(view.width), int(view.height), isOpaque(view) ? 3 : 4,
                                        fits ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT),
                .pixels = view.rgba32f.data(),
                .pixelType = OIIO::TypeDesc::FLOAT,

@@ -6,8 +6,10 @@
 
 namespace rushlight::tool {
 
+Progress::Progress(const char* what) : what_(what), onTerminal_(isatty(STDERR_FILENO)) {}
+
 void Progress::show(uint64_t done, uint64_t count, uint64_t free) const {
-    if (!isatty(STDERR_FILENO)) return;
+    if (!onTerminal_) return;
     std::fprintf(stderr, "\r%s %llu of %llu", what_, static_cast<unsigned long long>(done),
                  static_cast<unsigned long long>(count));
     if (done > free) {

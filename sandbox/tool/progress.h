@@ -10,7 +10,7 @@ namespace rushlight::tool {
 class Progress {
 public:
     /// `what` is done one after another; it must live as long as this.
-    explicit Progress(const char* what) : what_(what) {}
+    explicit Progress(const char* what);
 
     /// Of `count`, `done` are, `free` of which took no time: they were there already.
     void show(uint64_t done, uint64_t count, uint64_t free = 0) const;
@@ -19,6 +19,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     const char* what_;
+    const bool onTerminal_;
     const Clock::time_point start_ = Clock::now();
 };
 
