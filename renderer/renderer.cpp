@@ -2,11 +2,10 @@
 
 #include "renderer/backend/gl/gl_device.h"
 #include "renderer/backend/null/null_device.h"
-#include "renderer/backend/threaded_device.h"
-#include "renderer/capture_cube.h"
-#include "renderer/commands/half_floats.h"
-#include "renderer/commands/half_floats.h"
-#include "renderer/frame_renderer.h"
+#include "renderer/pipeline/capture_cube.h"
+#include "renderer/pipeline/frame_renderer.h"
+#include "renderer/rhi/half_floats.h"
+#include "renderer/rhi/threaded_device.h"
 
 #include <algorithm>
 #include <atomic>
@@ -59,8 +58,8 @@ void convert(const ReadbackImage& from, CapturedImage& to) {
         to.rgba8.resize(from.bytes.size());
         const size_t row = rowTexels * 4;
         for (uint32_t y = 0; y < from.height; ++y)
-            std::memcpy(to.rgba8.data() + y * row,
-                        from.bytes.data() + (from.height - 1 - y) * row, row);
+            std::memcpy(to.rgba8.data() + y * row, from.bytes.data() + (from.height - 1 - y) * row,
+                        row);
         return;
     }
     to.rgba32f.resize(rowTexels * from.height * 4);
@@ -123,9 +122,10 @@ Renderer::~Renderer() {
 Result<std::unique_ptr<Renderer>> Renderer::create(const RendererDesc& desc) {
     auto state = std::make_unique<State>();
     if (desc.framesInFlight < 1 || desc.framesInFlight > 3)
-        return fail("renderer", "framesInFlight is " + std::to_string(desc.framesInFlight) +
-                                    "; it must be 1 to 3.",
-                    ErrorKind::wrongUse);
+        return fail(
+            "renderer",
+            "framesInFlight is " + std::to_string(desc.framesInFlight) + "; it must be 1 to 3.",
+            ErrorKind::wrongUse);
     if (desc.loadGl) {
         GlDeviceDesc gl;
         gl.load = desc.loadGl;
@@ -142,8 +142,8 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const RendererDesc& desc) {
     }
     state->log = desc.log;
     if (desc.renderThread) {
-        auto threaded =
-            std::make_unique<ThreadedDevice>(std::move(state->device), desc.framesInFlight);
+        auto threaded = std::make_unique<ThreadedDevice>(std::move(state->device),
+                                                         desc.framesInFlight);
         state->threaded = threaded.get();
         state->device = std::move(threaded);
     }
@@ -319,8 +319,7 @@ Result<void> Renderer::updateInstances(WorldHandle world, std::span<const Instan
     if (!use) return use.error();
     return state_->frames->worlds.update(world, handles, instances);
 }
-Result<void> Renderer::removeInstances(WorldHandle world,
-                                       std::span<const InstanceHandle> handles) {
+Result<void> Renderer::removeInstances(WorldHandle world, std::span<const InstanceHandle> handles) {
     const Use use(*state_);
     if (!use) return use.error();
     return state_->frames->worlds.remove(world, handles);
@@ -367,8 +366,8 @@ std::vector<InstanceFacts> Renderer::describeInstances() const {
 }
 std::optional<MaterialDesc> Renderer::describeMaterial(MaterialHandle material) const {
     const Use use(*state_);
-    const MaterialDesc* desc =
-        use.goodOrLogged() ? state_->frames->materials.describe(material) : nullptr;
+    const MaterialDesc* desc = use.goodOrLogged() ? state_->frames->materials.describe(material)
+                                                  : nullptr;
     return desc ? std::optional(*desc) : std::nullopt;
 }
 std::string Renderer::printCommands() const { return print(state_->frames->commands()); }

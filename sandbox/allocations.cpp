@@ -14,16 +14,17 @@ std::atomic<uint64_t> count{0};
 [[maybe_unused]] void* allocate(std::size_t size, std::size_t alignment) {
     count.fetch_add(1, std::memory_order_relaxed);
     if (size == 0) size = 1;
-    void* memory =
-        alignment <= alignof(std::max_align_t)
-            ? std::malloc(size)
-            : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    void* memory = alignment <= alignof(std::max_align_t)
+                       ? std::malloc(size)
+                       : std::aligned_alloc(alignment,
+                                            (size + alignment - 1) / alignment * alignment);
     if (!memory) throw std::bad_alloc();
     return memory;
 }
 }  // namespace
 
-// The address sanitizer brings its own operators, nothrow forms included, which must not be mixed with these.
+// The address sanitizer brings its own operators, nothrow forms included, which must not be mixed
+// with these.
 #if !defined(__SANITIZE_ADDRESS__)
 void* operator new(std::size_t size) { return allocate(size, 1); }
 void* operator new[](std::size_t size) { return allocate(size, 1); }

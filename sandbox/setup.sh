@@ -7,7 +7,7 @@ libglm-dev libtinygltf-dev libdraco-dev libmeshoptimizer-dev libopenimageio-dev 
 libimgui-dev libstb-dev libcli11-dev nlohmann-json3-dev libexpected-dev libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth"
 
 # What tests alone need: without them they say that they skip.
-rushlight_test_packages="chromium apitrace python3-renderdoc slurm-wlm munge"
+rushlight_test_packages="clang-format chromium apitrace python3-renderdoc slurm-wlm munge"
 
 # Arguments: further packages.
 rushlight_install() {

@@ -44,10 +44,10 @@ Submesh welded(const Submesh& in) {
     std::map<std::array<float, 11>, uint32_t> known;
     for (const uint32_t i : in.indices) {
         const Vertex& v = in.vertices[i];
-        const auto [found, isNew] =
-            known.try_emplace({v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y,
-                               v.normal.z, v.tangent.x, v.tangent.y, v.tangent.z, v.uv.x, v.uv.y},
-                              uint32_t(out.vertices.size()));
+        const auto [found, isNew] = known.try_emplace(
+            {v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z,
+             v.tangent.x, v.tangent.y, v.tangent.z, v.uv.x, v.uv.y},
+            uint32_t(out.vertices.size()));
         if (isNew) out.vertices.push_back(v);
         out.indices.push_back(found->second);
     }
@@ -243,8 +243,8 @@ int Document::material(Mat id) {
             json["emissiveTexture"]["index"] = texture(std::string(spec.emissiveMap) + "_color");
         if (spec.emissiveStrength != 1) {
             usesEmissiveStrength_ = true;
-            json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] =
-                tidy(spec.emissiveStrength);
+            json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = tidy(
+                spec.emissiveStrength);
         }
     }
     if (spec.alpha == Alpha::mask) {

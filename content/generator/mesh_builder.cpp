@@ -48,8 +48,8 @@ UvFrame MeshBuilder::frameFor(const vec3& normal) const {
 
 Vertex MeshBuilder::mapped(const vec3& position, const vec3& normal, const UvFrame& frame) const {
     vec3 tangent = frame.right - normal * dot(frame.right, normal);
-    tangent =
-        dot(tangent, tangent) > 0.3f ? normalize(tangent) : normalize(cross(frame.up, normal));
+    tangent = dot(tangent, tangent) > 0.3f ? normalize(tangent)
+                                           : normalize(cross(frame.up, normal));
     return {position, normal, tangent,
             vec2(dot(position, frame.right), -dot(position, frame.up)) / tile()};
 }

@@ -37,8 +37,9 @@ void MeshBuilder::hexahedron(const std::array<vec3, 8>& corners, float bevel) {
         const auto at = [&](int k) { return corners[size_t(loop[size_t(k & 3)])]; };
         normals[size_t(face)] = normalize(cross(at(2) - at(0), at(3) - at(1)));
         for (int k = 0; k < 4; ++k)
-            inset[size_t(face)][size_t(loop[size_t(k)])] =
-                at(k) + bevel * (normalize(at(k + 1) - at(k)) + normalize(at(k + 3) - at(k)));
+            inset[size_t(face)][size_t(loop[size_t(k)])] = at(k) +
+                                                           bevel * (normalize(at(k + 1) - at(k)) +
+                                                                    normalize(at(k + 3) - at(k)));
         const auto& in = inset[size_t(face)];
         const UvFrame frame = frameFor(normals[size_t(face)]);
         const auto first = uint32_t(current().vertices.size());

@@ -19,8 +19,8 @@ float valueNoise(float u, float v, int cellsU, int cellsV, uint32_t seed) {
     const float x = u * float(cellsU), y = v * float(cellsV);
     const int cx = int(std::floor(x)), cy = int(std::floor(y));
     const float fx = fade(x - float(cx)), fy = fade(y - float(cy));
-    const float low =
-        mixf(corner(cx, cy, cellsU, cellsV, seed), corner(cx + 1, cy, cellsU, cellsV, seed), fx);
+    const float low = mixf(corner(cx, cy, cellsU, cellsV, seed),
+                           corner(cx + 1, cy, cellsU, cellsV, seed), fx);
     const float high = mixf(corner(cx, cy + 1, cellsU, cellsV, seed),
                             corner(cx + 1, cy + 1, cellsU, cellsV, seed), fx);
     return mixf(low, high, fy);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "content/generator/document.h"
-#include "content/generator/parts.h"
+#include "content/generator/parts/parts.h"
 
 namespace rushlight::content {
 

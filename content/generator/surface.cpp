@@ -78,8 +78,8 @@ SurfaceMaps bakeSurface(const SurfaceSpec& spec) {
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const size_t i = size_t(y * size + x);
-            texels[i] =
-                spec.texel((float(x) + 0.5f) / float(size), (float(y) + 0.5f) / float(size));
+            texels[i] = spec.texel((float(x) + 0.5f) / float(size),
+                                   (float(y) + 0.5f) / float(size));
             height[i] = texels[i].height;
         }
     const float metresPerPixel = spec.metres / float(size);
@@ -88,8 +88,8 @@ SurfaceMaps bakeSurface(const SurfaceSpec& spec) {
     SurfaceMaps maps;
     maps.color = {size, size, spec.alpha ? 4 : 3, {}};
     for (size_t i = 0; i < count; ++i) {
-        const float shade =
-            mixf(1, open[i], 0.35f);  // dirt gathers where rain and feet do not reach
+        const float shade = mixf(1, open[i], 0.35f);  // dirt gathers where rain and feet do not
+                                                      // reach
         for (int c = 0; c < 3; ++c)
             maps.color.bytes.push_back(toCoarseByte(texels[i].color[c] * shade, 4));
         if (spec.alpha) maps.color.bytes.push_back(toByte(texels[i].alpha));

@@ -72,10 +72,10 @@ Document buildTestCard() {
     for (int i = 0; i < 5; ++i) {
         const float rough = 0.05f + 0.225f * float(i), x = -2.2f + 1.1f * float(i);
         const std::string n = std::to_string(i + 1);
-        const int metal =
-            d.addPlainMaterial(plain("metal." + n, {0.95f, 0.72f, 0.38f, 1}, 1, rough));
-        const int plastic =
-            d.addPlainMaterial(plain("dielectric." + n, {0.62f, 0.10f, 0.09f, 1}, 0, rough));
+        const int metal = d.addPlainMaterial(
+            plain("metal." + n, {0.95f, 0.72f, 0.38f, 1}, 1, rough));
+        const int plastic = d.addPlainMaterial(
+            plain("dielectric." + n, {0.62f, 0.10f, 0.09f, 1}, 0, rough));
         d.addNode("sphere.metal." + n, -1, at({x, 0.42f, -0.5f}),
                   d.addMeshWith(ball, metal, "sphere.metal." + n));
         d.addNode("sphere.dielectric." + n, -1, at({x, 1.52f, -0.9f}),

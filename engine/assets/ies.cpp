@@ -1,6 +1,6 @@
 #include "engine/assets/ies.h"
 
-#include "engine/assets/gltf_file.h"
+#include "engine/assets/gltf/gltf_file.h"
 #include "engine/assets/ies_planes.h"
 #include "engine/assets/input_error.h"
 
@@ -15,7 +15,9 @@ constexpr uint64_t kMaxBytes = 8u << 20;
 constexpr double kMaxAngles = 2048;
 constexpr double kMaxValues = 1u << 20;
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v' || c == ','; }
+bool isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v' || c == ',';
+}
 
 /// Lines at the head of the file, then numbers that lines may break anywhere.
 class IesText {
@@ -47,8 +49,9 @@ public:
     size_t count(const char* what, double least, double most) {
         const double value = number(what);
         if (value != std::floor(value) || value < least || value > most)
-            refuse(std::string("its ") + what + " is " + std::to_string(value) + "; whole numbers from " +
-                   std::to_string(int64_t(least)) + " to " + std::to_string(int64_t(most)) + " are possible.");
+            refuse(std::string("its ") + what + " is " + std::to_string(value) +
+                   "; whole numbers from " + std::to_string(int64_t(least)) + " to " +
+                   std::to_string(int64_t(most)) + " are possible.");
         return size_t(value);
     }
     /// What follows the last number; files of the time end with control-Z.
@@ -107,7 +110,8 @@ void checkHorizontal(const std::vector<float>& angles) {
     const float first = angles.front(), last = angles.back();
     if (first == 0 && (last == 0 || last == 90 || last == 180 || last == 360)) return;
     if (first == 90 && last == 270) return;
-    refuse("its horizontal angles reach from " + std::to_string(first) + " to " + std::to_string(last) +
+    refuse("its horizontal angles reach from " + std::to_string(first) + " to " +
+           std::to_string(last) +
            " degrees; type C has 0 alone, 0 to 90, 0 to 180, 0 to 360 or 90 to 270.");
 }
 
@@ -118,10 +122,13 @@ void checkReach(const std::vector<float>& angles, const char* what) {
            std::to_string(angles.back()) + " degrees; types A and B have -90 to 90 or 0 to 90.");
 }
 
-void readAllAngles(IesText& text, IesPlanes planes, size_t verticals, size_t horizontals, LightProfile& profile) {
+void readAllAngles(IesText& text, IesPlanes planes, size_t verticals, size_t horizontals,
+                   LightProfile& profile) {
     const bool isC = planes == IesPlanes::c;
-    profile.verticalAngles = readAngles(text, verticals, "vertical angles", isC ? 0 : -90, isC ? 180 : 90);
-    profile.horizontalAngles = readAngles(text, horizontals, "horizontal angles", isC ? 0 : -90, isC ? 360 : 90);
+    profile.verticalAngles = readAngles(text, verticals, "vertical angles", isC ? 0 : -90,
+                                        isC ? 180 : 90);
+    profile.horizontalAngles = readAngles(text, horizontals, "horizontal angles", isC ? 0 : -90,
+                                          isC ? 360 : 90);
     if (isC) return checkHorizontal(profile.horizontalAngles);
     checkReach(profile.verticalAngles, "vertical angles");
     checkReach(profile.horizontalAngles, "horizontal angles");
@@ -129,7 +136,8 @@ void readAllAngles(IesText& text, IesPlanes planes, size_t verticals, size_t hor
 
 LightProfile parse(std::string_view name, std::string_view bytes) {
     if (bytes.size() > kMaxBytes)
-        refuse("it has " + std::to_string(bytes.size()) + " bytes; the limit is " + std::to_string(kMaxBytes) + ".");
+        refuse("it has " + std::to_string(bytes.size()) + " bytes; the limit is " +
+               std::to_string(kMaxBytes) + ".");
     IesText text(bytes);
     skipTilt(text, findTilt(text));
     LightProfile profile;
@@ -144,17 +152,20 @@ LightProfile parse(std::string_view name, std::string_view bytes) {
                " values of candela; the limit is " + std::to_string(int(kMaxValues)) + ".");
     const IesPlanes planes{int(text.count("photometric type", 1, 3))};
     text.count("units type", 1, 2);
-    for (const char* size : {"luminous width", "luminous length", "luminous height"}) text.number(size);
+    for (const char* size : {"luminous width", "luminous length", "luminous height"})
+        text.number(size);
     scale *= text.number("ballast factor");
     text.number("ballast-lamp photometric factor");
     text.number("input watts");
     if (!(scale > 0) || !std::isfinite(scale))
-        refuse("its candela multiplier times its ballast factor is " + std::to_string(scale) + "; it must be over 0.");
+        refuse("its candela multiplier times its ballast factor is " + std::to_string(scale) +
+               "; it must be over 0.");
     readAllAngles(text, planes, verticals, horizontals, profile);
     for (size_t i = 0; i < verticals * horizontals; ++i) {
         const double candela = text.number("values of candela") * scale;
         if (!(candela >= 0) || candela > 1e12)
-            refuse("a value of candela is " + std::to_string(candela) + "; 0 to 1e12 are possible.");
+            refuse("a value of candela is " + std::to_string(candela) +
+                   "; 0 to 1e12 are possible.");
         profile.candela.push_back(float(candela));
         profile.largestCandela = std::max(profile.largestCandela, float(candela));
     }
@@ -177,7 +188,8 @@ Result<LightProfile> parseIes(std::string_view name, std::string_view text) {
 Result<LightProfile> loadIes(const std::filesystem::path& path) {
     try {
         const Bytes bytes = readFile(path, kMaxBytes);
-        return parseIes(path.filename().string(), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        return parseIes(path.filename().string(),
+                        {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     } catch (const InputError& error) {
         return fail(path.string(), error.message);
     }
@@ -188,7 +200,8 @@ bool hasTiltFactors(std::string_view text) {
     return findTilt(lines) == "INCLUDE";
 }
 
-// Candela is linear between the angles: over a cell, its mean at the corners with the exact solid angle of each half.
+// Candela is linear between the angles: over a cell, its mean at the corners with the exact solid
+// angle of each half.
 double luminousFlux(const LightProfile& profile) {
     const std::vector<float>&v = profile.verticalAngles, &h = profile.horizontalAngles;
     const auto radians = [](float angle) { return double(angle) * double(kPi) / 180; };

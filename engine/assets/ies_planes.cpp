@@ -28,7 +28,9 @@ bool findPlace(const std::vector<float>& angles, float angle, Place& place) {
 float candelaAt(const LightProfile& file, float vertical, float horizontal) {
     if (file.horizontalAngles.front() >= 0) horizontal = std::abs(horizontal);
     Place v, h;
-    if (!findPlace(file.verticalAngles, vertical, v) || !findPlace(file.horizontalAngles, horizontal, h)) return 0;
+    if (!findPlace(file.verticalAngles, vertical, v) ||
+        !findPlace(file.horizontalAngles, horizontal, h))
+        return 0;
     const auto along = [&](size_t row) {
         const float* candela = &file.candela[row * file.verticalAngles.size() + v.index];
         return candela[0] + (candela[1] - candela[0]) * v.share;
@@ -53,7 +55,8 @@ void anglesOfA(const LightProfile& file, LightProfile& out) {
 void anglesOfB(const LightProfile& file, LightProfile& out) {
     float finest = 1;
     for (const std::vector<float>* angles : {&file.verticalAngles, &file.horizontalAngles})
-        for (size_t i = 1; i < angles->size(); ++i) finest = std::min(finest, (*angles)[i] - (*angles)[i - 1]);
+        for (size_t i = 1; i < angles->size(); ++i)
+            finest = std::min(finest, (*angles)[i] - (*angles)[i - 1]);
     const int steps = int(std::ceil(90 / std::max(finest, 0.25f)));
     for (int i = 0; i <= steps; ++i) out.verticalAngles.push_back(90 * float(i) / float(steps));
     for (int i = 0; i <= kTurns; ++i) out.horizontalAngles.push_back(360 * float(i) / kTurns);
@@ -63,7 +66,8 @@ float candelaOfB(const LightProfile& file, float fromDown, float turn) {
     const float sine = std::sin(fromDown * kDegree);
     const float x = sine * std::cos(turn * kDegree), y = sine * std::sin(turn * kDegree);
     const float down = std::max(std::cos(fromDown * kDegree), 0.0f);
-    return candelaAt(file, std::atan2(x, down) / kDegree, std::asin(std::clamp(y, -1.0f, 1.0f)) / kDegree);
+    return candelaAt(file, std::atan2(x, down) / kDegree,
+                     std::asin(std::clamp(y, -1.0f, 1.0f)) / kDegree);
 }
 
 }  // namespace
@@ -72,13 +76,16 @@ LightProfile asTypeC(const LightProfile& file, IesPlanes planes) {
     if (planes == IesPlanes::c) return file;
     LightProfile out;
     out.name = file.name;
-    if (planes == IesPlanes::a) anglesOfA(file, out);
-    else anglesOfB(file, out);
+    if (planes == IesPlanes::a)
+        anglesOfA(file, out);
+    else
+        anglesOfB(file, out);
     out.candela.reserve(out.verticalAngles.size() * out.horizontalAngles.size());
     for (const float turn : out.horizontalAngles)
         for (const float fromDown : out.verticalAngles) {
-            const float candela = planes == IesPlanes::a ? candelaAt(file, fromDown - 90, signedTurn(turn))
-                                                         : candelaOfB(file, fromDown, turn);
+            const float candela = planes == IesPlanes::a
+                                      ? candelaAt(file, fromDown - 90, signedTurn(turn))
+                                      : candelaOfB(file, fromDown, turn);
             out.candela.push_back(candela);
             out.largestCandela = std::max(out.largestCandela, candela);
         }

@@ -1,6 +1,6 @@
 #include "engine/assets/image.h"
 
-#include "engine/assets/gltf_file.h"
+#include "engine/assets/gltf/gltf_file.h"
 #include "engine/assets/input_error.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -34,8 +34,9 @@ const char* formatOf(std::span<const uint8_t> bytes) {
     return nullptr;
 }
 
-/// libjpeg fills up what a truncated file lacks, so the end-of-image marker is looked for: it must follow the first
-/// start-of-scan of the image itself (an embedded preview lies inside an application segment, which is skipped).
+/// libjpeg fills up what a truncated file lacks, so the end-of-image marker is looked for: it must
+/// follow the first start-of-scan of the image itself (an embedded preview lies inside an
+/// application segment, which is skipped).
 bool isWholeJpeg(std::span<const uint8_t> bytes) {
     size_t at = 2;
     while (at + 4 <= bytes.size() && bytes[at] == 0xff && bytes[at + 1] != 0xda)

@@ -14,7 +14,7 @@
 namespace rushlight::assets {
 
 struct ImageLimits {
-    uint32_t maxSide = 16384;           ///< pixels
+    uint32_t maxSide = 16384;  ///< pixels
     uint64_t maxPixels = 1ull << 28;
 };
 

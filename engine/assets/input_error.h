@@ -5,7 +5,8 @@
 
 namespace rushlight::assets {
 
-/// Bad input found deep inside a reader. Thrown within engine/assets only: the public functions turn it into a Result.
+/// Bad input found deep inside a reader. Thrown within engine/assets only: the public functions
+/// turn it into a Result.
 struct InputError {
     std::string message;
 };

@@ -27,7 +27,8 @@ void JsonObject::text(const char* key, Need need) const {
 
 void JsonObject::boolean(const char* key) const {
     const Json* value = find(key, Need::optional);
-    if (value && !value->is_boolean()) wrong(std::string("its ") + key + " is neither true nor false.");
+    if (value && !value->is_boolean())
+        wrong(std::string("its ") + key + " is neither true nor false.");
 }
 
 void JsonObject::oneOf(const char* key, std::initializer_list<std::string_view> allowed,
@@ -105,7 +106,8 @@ void JsonObject::numbers(const char* key, size_t size, double low, double high) 
     for (const Json& value : *values) {
         const double number = value.is_number() ? value.get<double>() : NAN;
         if (!(number >= low && number <= high) || !std::isfinite(float(number)))
-            wrong(std::string("its ") + key + " contains " + value.dump() + ", which is out of range.");
+            wrong(std::string("its ") + key + " contains " + value.dump() +
+                  ", which is out of range.");
     }
 }
 

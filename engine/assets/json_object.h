@@ -15,8 +15,8 @@ using Json = nlohmann::json;
 
 enum class Need : uint8_t { optional, required };
 
-/// A JSON object of a glTF file with the name that messages give it. Every method checks one property and throws
-/// InputError when it breaks the rule; an absent optional property passes.
+/// A JSON object of a glTF file with the name that messages give it. Every method checks one
+/// property and throws InputError when it breaks the rule; an absent optional property passes.
 class JsonObject {
 public:
     JsonObject(const Json& json, std::string what);
@@ -33,7 +33,8 @@ public:
     void oneOf(const char* key, std::initializer_list<int64_t> allowed,
                Need need = Need::optional) const;
 
-    int64_t integer(const char* key, int64_t low, int64_t high, Need need, int64_t fallback = 0) const;
+    int64_t integer(const char* key, int64_t low, int64_t high, Need need,
+                    int64_t fallback = 0) const;
     double number(const char* key, double low, double high, Need need = Need::optional,
                   double fallback = 0) const;
 

@@ -1,6 +1,6 @@
 #pragma once
-// Plain CPU data of one loaded glTF file. Nothing here knows a GPU. Indices are into the vectors of the
-// same Model; -1 is "none". Units and spaces as glTF 2.0: metres, radians, right-handed, y up.
+// Plain CPU data of one loaded glTF file. Nothing here knows a GPU. Indices are into the vectors of
+// the same Model; -1 is "none". Units and spaces as glTF 2.0: metres, radians, right-handed, y up.
 
 #include "engine/core/bounds.h"
 #include "engine/core/math.h"
@@ -13,7 +13,8 @@
 
 namespace rushlight::assets {
 
-/// 8-bit RGBA, rows from the top, no padding. Whether the colours are sRGB is decided by the use (Model::images doc).
+/// 8-bit RGBA, rows from the top, no padding. Whether the colours are sRGB is decided by the use
+/// (Model::images doc).
 struct Image {
     std::string name;  ///< for messages: URI or image name
     uint32_t width = 0;
@@ -36,7 +37,8 @@ struct Sampler {
     bool operator==(const Sampler&) const = default;
 };
 
-/// A use of an image by a material. `offset`, `rotation` (radians), `scale` as KHR_texture_transform.
+/// A use of an image by a material. `offset`, `rotation` (radians), `scale` as
+/// KHR_texture_transform.
 struct TextureUse {
     int image = -1;
     Sampler sampler;
@@ -67,9 +69,10 @@ struct Material {
     TextureUse emissiveTexture;
     AlphaMode alphaMode = AlphaMode::opaque;
     float alphaCutoff = 0.5f;
-    float transmission = 0;  ///< KHR_materials_transmission, 0 to 1
+    float transmission = 0;          ///< KHR_materials_transmission, 0 to 1
     TextureUse transmissionTexture;  ///< R, linear
-    vec3 transmissionColor{1};  ///< what KHR_materials_volume leaves of the light over its thickness
+    vec3 transmissionColor{1};       ///< what KHR_materials_volume leaves of the light over its
+                                     ///< thickness
     bool doubleSided = false;
     bool unlit = false;
 };
@@ -87,8 +90,9 @@ struct MorphTarget {
     std::vector<vec3> tangents;
 };
 
-/// An indexed triangle list. `normals` is always as long as `positions` (made as the specification says when the
-/// file has none); the other attributes are empty or as long. Two primitives that use the same accessors share one.
+/// An indexed triangle list. `normals` is always as long as `positions` (made as the specification
+/// says when the file has none); the other attributes are empty or as long. Two primitives that use
+/// the same accessors share one.
 struct Geometry {
     std::string name;
     std::vector<vec3> positions;
@@ -96,7 +100,7 @@ struct Geometry {
     std::vector<vec4> tangents;  ///< unit xyz; w = +1 or -1: bitangent = cross(normal, tangent) * w
     std::vector<vec2> uv0;
     std::vector<vec2> uv1;
-    std::vector<vec4> colors;  ///< linear
+    std::vector<vec4> colors;      ///< linear
     std::vector<VertexSkin> skin;  ///< empty, or as long as `positions`
     std::vector<MorphTarget> morphTargets;
     std::vector<uint32_t> indices;  ///< a multiple of three, each < positions.size()
@@ -147,21 +151,24 @@ struct Camera {
 
 enum class LightType : uint8_t { directional, point, spot };
 
-/// A photometric web of type C: candela by direction, as an IES file (engine/assets/ies.h) has it. Degrees.
+/// A photometric web of type C: candela by direction, as an IES file (engine/assets/ies.h) has it.
+/// Degrees.
 struct LightProfile {
     std::string name;
     std::vector<float> verticalAngles;    ///< from the light's direction, increasing, two or more
     std::vector<float> horizontalAngles;  ///< about it; 0 alone, to 90, 180 or 360, or 90 to 270
-    std::vector<float> candela;           ///< of each horizontal angle in turn, at all vertical ones
+    std::vector<float> candela;  ///< of each horizontal angle in turn, at all vertical ones
     float largestCandela = 0;
 };
 
-/// KHR_lights_punctual: shines along its node's local -z. Or EXT_lights_ies: a point light with a profile.
+/// KHR_lights_punctual: shines along its node's local -z. Or EXT_lights_ies: a point light with a
+/// profile.
 struct Light {
     std::string name;
     LightType type = LightType::point;
     vec3 color{1};        ///< linear
-    float intensity = 1;  ///< lux for directional, candela for point and spot: of its brightest direction
+    float intensity = 1;  ///< lux for directional, candela for point and spot: of its brightest
+                          ///< direction
     float range = 0;      ///< metres; 0: unbounded
     float innerConeAngle = 0;
     float outerConeAngle = kPi / 4;
@@ -171,42 +178,46 @@ struct Light {
 
 enum class AreaShape : uint8_t { rectangle, disk, sphere, tube };
 
-/// Of a node's extras.rushlight: { "areaLight": { "shape", "luminance", "size", "radius", "length", "color", "range",
-/// "twoSided" } }. Flat ones shine along the node's local -z; a tube lies along its x. The node's scale counts for flat
-/// ones and for a tube's length.
+/// Of a node's extras.rushlight: { "areaLight": { "shape", "luminance", "size", "radius", "length",
+/// "color", "range", "twoSided" } }. Flat ones shine along the node's local -z; a tube lies along
+/// its x. The node's scale counts for flat ones and for a tube's length.
 struct AreaLight {
     int node = -1;
     AreaShape shape = AreaShape::rectangle;
-    vec2 size{1};         ///< metres along x and y, of a rectangle or a disk
-    float radius = 0;     ///< metres, of a sphere or a tube
-    float length = 0;     ///< metres, of a tube
+    vec2 size{1};      ///< metres along x and y, of a rectangle or a disk
+    float radius = 0;  ///< metres, of a sphere or a tube
+    float length = 0;  ///< metres, of a tube
     vec3 color{1};
     float luminance = 0;  ///< candela per square metre
     float range = 0;      ///< metres; 0: unbounded
     bool twoSided = false;
 };
 
-/// EXT_lights_image_based: what is around the scene. As a cube map of OpenGL, whose faces are +x -x +y -y +z -z.
+/// EXT_lights_image_based: what is around the scene. As a cube map of OpenGL, whose faces are +x -x
+/// +y -y +z -z.
 struct ImageBasedLight {
     std::string name;
     quat rotation{1, 0, 0, 0};  ///< from the light's space to the world's
     float intensity = 1;        ///< a factor on all of it
-    /// Of irradiance, in the real harmonics of Ramamoorthi and Hanrahan 2001 (none of them with a sign of its own):
-    /// 1; y, z, x; xy, yz, 3z²-1, xz, x²-y².
+    /// Of irradiance, in the real harmonics of Ramamoorthi and Hanrahan 2001 (none of them with a
+    /// sign of its own): 1; y, z, x; xy, yz, 3z²-1, xz, x²-y².
     std::array<vec3, 9> irradiance{};
-    uint32_t size = 0;    ///< texels along a face of level 0; a power of two
-    uint32_t levels = 0;  ///< level i is blurred by the roughness i / (levels - 1) and half as large as the one before
-    std::vector<vec3> texels;  ///< linear radiance; level by level, in it face by face, rows from t = 0
+    uint32_t size = 0;         ///< texels along a face of level 0; a power of two
+    uint32_t levels = 0;       ///< level i is blurred by the roughness i / (levels - 1) and half as
+                               ///< large as the one before
+    std::vector<vec3> texels;  ///< linear radiance; level by level, in it face by face, rows from t
+                               ///< = 0
 };
 
-/// Of a node's extras.rushlight: { "reflectionProbe": { "size": [x, y, z], "offset", "blend", "intensity",
-/// "resolution" } }. The light is captured where the node is, for a box that is turned as the node is.
+/// Of a node's extras.rushlight: { "reflectionProbe": { "size": [x, y, z], "offset", "blend",
+/// "intensity", "resolution" } }. The light is captured where the node is, for a box that is turned
+/// as the node is.
 struct ReflectionProbe {
     int node = -1;
     vec3 size{1};    ///< metres of the box along the node's axes, before its scale
     vec3 offset{0};  ///< of the box's middle from the node
-    /// Metres within the box over which its influence rises. In the file a single number is that of x and z: a floor
-    /// is wholly in its room.
+    /// Metres within the box over which its influence rises. In the file a single number is that of
+    /// x and z: a floor is wholly in its room.
     vec3 blend{0};
     float intensity = 1;
     uint32_t resolution = 256;  ///< pixels along a captured face; a power of two
@@ -214,7 +225,7 @@ struct ReflectionProbe {
 
 struct Skin {
     std::string name;
-    std::vector<int> joints;               ///< nodes
+    std::vector<int> joints;                ///< nodes
     std::vector<mat4> inverseBindMatrices;  ///< as long as joints
 };
 
@@ -226,7 +237,8 @@ struct AnimationChannel {
     AnimationPath path = AnimationPath::translation;
     Interpolation interpolation = Interpolation::linear;
     std::vector<float> times;   ///< seconds, increasing
-    std::vector<float> values;  ///< components per key (3, 4, or weights), three times as many for cubicSpline
+    std::vector<float> values;  ///< components per key (3, 4, or weights), three times as many for
+                                ///< cubicSpline
 };
 
 struct Animation {

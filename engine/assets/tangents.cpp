@@ -22,7 +22,9 @@ struct CornerKey {
 };
 
 struct CornerKeyHash {
-    size_t operator()(const CornerKey& key) const { return hashBytes(key.values, sizeof key.values); }
+    size_t operator()(const CornerKey& key) const {
+        return hashBytes(key.values, sizeof key.values);
+    }
 };
 
 struct Face {
@@ -72,8 +74,8 @@ private:
         const vec3& n = geometry_.normals[vertex];
         const vec2& t = uv_[vertex];
         // + 0.0f: minus zero and zero are the same place
-        return {{p.x + 0.0f, p.y + 0.0f, p.z + 0.0f, n.x + 0.0f, n.y + 0.0f, n.z + 0.0f,
-                 t.x + 0.0f, t.y + 0.0f}};
+        return {{p.x + 0.0f, p.y + 0.0f, p.z + 0.0f, n.x + 0.0f, n.y + 0.0f, n.z + 0.0f, t.x + 0.0f,
+                 t.y + 0.0f}};
     }
 
     /// Numbers the distinct vertices and lists the corners at each.
@@ -112,7 +114,8 @@ private:
         }
     }
 
-    /// Corners a and b share the edge from their vertex to a's next one, run through in opposite directions.
+    /// Corners a and b share the edge from their vertex to a's next one, run through in opposite
+    /// directions.
     bool adjacent(uint32_t a, uint32_t b) const {
         return welded_[next(a)] == welded_[previous(b)] &&
                faces_[a / 3].mirrored == faces_[b / 3].mirrored;
@@ -129,8 +132,8 @@ private:
         for (size_t i = 0; i < corners.count; ++i) {
             if (group_[i] != kNone) continue;
             const vec3& normal = geometry_.normals[geometry_.indices[corners.data[i]]];
-            cornerTangent_[corners.data[i]] =
-                fallback == vec4(0) ? vec4(anyTangent(normal), 1) : fallback;
+            cornerTangent_[corners.data[i]] = fallback == vec4(0) ? vec4(anyTangent(normal), 1)
+                                                                  : fallback;
         }
     }
 
@@ -165,9 +168,10 @@ private:
     vec3 weighted(uint32_t corner) const {
         const vec3& normal = geometry_.normals[geometry_.indices[corner]];
         const vec3& here = geometry_.positions[geometry_.indices[corner]];
-        const vec3 a = projected(geometry_.positions[geometry_.indices[next(corner)]] - here, normal);
-        const vec3 b =
-            projected(geometry_.positions[geometry_.indices[previous(corner)]] - here, normal);
+        const vec3 a = projected(geometry_.positions[geometry_.indices[next(corner)]] - here,
+                                 normal);
+        const vec3 b = projected(geometry_.positions[geometry_.indices[previous(corner)]] - here,
+                                 normal);
         const float angle = std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f));
         return angle * projected(faces_[corner / 3].tangent, normal);
     }
@@ -203,12 +207,12 @@ private:
 
     Geometry& geometry_;
     const std::vector<vec2>& uv_;
-    std::vector<uint32_t> welded_;           ///< of each corner: its distinct vertex
-    std::vector<uint32_t> firstCorner_;      ///< of each distinct vertex, into cornersOfVertex_
+    std::vector<uint32_t> welded_;       ///< of each corner: its distinct vertex
+    std::vector<uint32_t> firstCorner_;  ///< of each distinct vertex, into cornersOfVertex_
     std::vector<uint32_t> cornersOfVertex_;
     std::vector<Face> faces_;
     std::vector<vec4> cornerTangent_;
-    std::vector<size_t> group_, stack_;      ///< of the vertex at hand
+    std::vector<size_t> group_, stack_;  ///< of the vertex at hand
 };
 
 }  // namespace

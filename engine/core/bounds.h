@@ -26,12 +26,12 @@ struct Aabb {
     }
 };
 
-/// The box around a transformed box. Arvo, "Transforming Axis-Aligned Bounding Boxes", Graphics Gems, 1990.
+/// The box around a transformed box. Arvo, "Transforming Axis-Aligned Bounding Boxes", Graphics
+/// Gems, 1990.
 inline Aabb transformAabb(const mat4x3& m, const Aabb& box) {
     const vec3 center = transformPoint(m, box.center());
     const vec3 half = box.halfExtent();
-    const vec3 extent =
-        glm::abs(m[0]) * half.x + glm::abs(m[1]) * half.y + glm::abs(m[2]) * half.z;
+    const vec3 extent = glm::abs(m[0]) * half.x + glm::abs(m[1]) * half.y + glm::abs(m[2]) * half.z;
     return {center - extent, center + extent};
 }
 

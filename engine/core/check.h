@@ -2,7 +2,8 @@
 
 namespace rushlight {
 
-/// Prints file, line, condition and reason on standard error and aborts. For bugs in our own code only.
+/// Prints file, line, condition and reason on standard error and aborts. For bugs in our own code
+/// only.
 [[noreturn]] void checkFailed(const char* file, int line, const char* condition,
                               const char* reason);
 

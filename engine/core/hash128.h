@@ -15,7 +15,8 @@ struct Hash128 {
     auto operator<=>(const Hash128&) const = default;
 };
 
-/// MurmurHash3_x64_128 with seed 0 (Appleby, 2011, public domain): the same on every machine and run.
+/// MurmurHash3_x64_128 with seed 0 (Appleby, 2011, public domain): the same on every machine and
+/// run.
 Hash128 hash128(std::span<const std::byte> bytes);
 
 /// 32 hexadecimal digits.

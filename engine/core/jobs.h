@@ -5,16 +5,17 @@
 
 namespace rushlight {
 
-/// The job interface: a host may pass its own; `SerialJobs` is the default, `engine/jobs` has oneTBB's.
-/// The libraries never start a thread themselves.
+/// The job interface: a host may pass its own; `SerialJobs` is the default, `engine/jobs` has
+/// oneTBB's. The libraries never start a thread themselves.
 class JobSystem {
 public:
     using RangeFunction = void (*)(void* context, uint32_t begin, uint32_t end);
 
     virtual ~JobSystem() = default;
 
-    /// Calls `function` on disjoint ranges that cover [0, count), each at most `grain` long and each
-    /// beginning at a multiple of `grain`; returns when all are done. Ranges may run at the same time.
+    /// Calls `function` on disjoint ranges that cover [0, count), each at most `grain` long and
+    /// each beginning at a multiple of `grain`; returns when all are done. Ranges may run at the
+    /// same time.
     virtual void parallelFor(uint32_t count, uint32_t grain, RangeFunction function,
                              void* context) = 0;
 

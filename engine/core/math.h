@@ -1,5 +1,6 @@
 #pragma once
-// The one place that configures and includes GLM. Units: metres, seconds, radians. Right-handed, y up.
+// The one place that configures and includes GLM. Units: metres, seconds, radians. Right-handed, y
+// up.
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/glm.hpp>

@@ -13,7 +13,8 @@ enum class ErrorKind {
     noContext,  ///< no GL context could be had (exit code 4)
 };
 
-/// A failure as a value: which file or object, and a full sentence about what is wrong and what to do.
+/// A failure as a value: which file or object, and a full sentence about what is wrong and what to
+/// do.
 struct Error {
     std::string object;
     std::string message;

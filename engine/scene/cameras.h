@@ -73,8 +73,8 @@ public:
     static constexpr float kResponse = 14;     // 1/s, of the velocity
     static constexpr float kEyeResponse = 16;  // 1/s, of the eyes after a step up or down
     static constexpr double kStep = 1.0 / 60;
-    static constexpr float kFallLimit =
-        20;  // metres below the level's lowest point: back to the spawn
+    static constexpr float kFallLimit = 20;  // metres below the level's lowest point: back to the
+                                             // spawn
 
     /// Stands at `feet`; also where a fall out of the world ends.
     void spawnAt(const vec3& feet, const LookAngles& look);

@@ -44,12 +44,12 @@ std::vector<mat4x3> jointMatrices(const Skin& skin, const Pose& pose) {
 mat4x3 blend(const std::vector<mat4x3>& joints, const VertexSkin& vertex) {
     mat4x3 sum(0.0f);
     for (int c = 0; c < 4; ++c)
-        if (vertex.weights[c] > 0)
-            sum += vertex.weights[c] * joints[vertex.joints[size_t(c)]];
+        if (vertex.weights[c] > 0) sum += vertex.weights[c] * joints[vertex.joints[size_t(c)]];
     return sum;
 }
 
-/// Normals go with the cofactors of the matrix, which is its inverse transposed up to the determinant.
+/// Normals go with the cofactors of the matrix, which is its inverse transposed up to the
+/// determinant.
 mat3 normalMatrix(const mat4x3& m) {
     const mat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     return glm::dot(m[0], cofactors[0]) < 0 ? -cofactors : cofactors;

@@ -62,8 +62,9 @@ void updateWorld(const Model& model, Pose& pose) {
     for (int index : order) {
         const Node& node = model.nodes[size_t(index)];
         const mat4 local = localTransform(node, pose.nodes[size_t(index)]);
-        pose.worldFromNode[size_t(index)] =
-            node.parent < 0 ? local : pose.worldFromNode[size_t(node.parent)] * local;
+        pose.worldFromNode[size_t(index)] = node.parent < 0
+                                                ? local
+                                                : pose.worldFromNode[size_t(node.parent)] * local;
     }
 }
 

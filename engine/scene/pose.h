@@ -16,7 +16,8 @@ struct NodePose {
     std::vector<float> weights;  ///< of the morph targets; empty: the mesh has none
 };
 
-/// One moment of a model. `worldFromNode` is as long as Model::nodes, whether a scene reaches them or not.
+/// One moment of a model. `worldFromNode` is as long as Model::nodes, whether a scene reaches them
+/// or not.
 struct Pose {
     std::vector<NodePose> nodes;
     std::vector<mat4> worldFromNode;
@@ -25,8 +26,8 @@ struct Pose {
 /// The pose the file stores, with its world matrices.
 Pose restPose(const assets::Model& model);
 
-/// Overwrites in `pose` what the animation animates, at `seconds` (held before its first key and after its last).
-/// Call updateWorld afterwards.
+/// Overwrites in `pose` what the animation animates, at `seconds` (held before its first key and
+/// after its last). Call updateWorld afterwards.
 void applyAnimation(const assets::Model& model, const assets::Animation& animation, float seconds,
                     Pose& pose);
 
@@ -36,7 +37,8 @@ void updateWorld(const assets::Model& model, Pose& pose);
 /// restPose, applyAnimation unless `animation` is -1, updateWorld.
 Pose poseAt(const assets::Model& model, int animation, float seconds);
 
-/// A primitive to draw. A skinned one is deformed into world space, so its transform is the identity.
+/// A primitive to draw. A skinned one is deformed into world space, so its transform is the
+/// identity.
 struct Drawable {
     int node = -1;
     int primitive = 0;  ///< into Mesh::primitives of the node's mesh

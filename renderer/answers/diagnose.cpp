@@ -9,15 +9,37 @@ namespace rushlight {
 
 const char* toText(Cause cause) {
     // Indexed by Cause.
-    constexpr const char* kNames[] = {
-        "target-size",   "view-not-finite",  "view-not-invertible", "view-transposed",
-        "view-inverted", "field-of-view",    "near-far-order",      "refused",
-        "empty-scene",   "transforms-not-finite", "stale-handles",  "behind-camera",
-        "outside-view",  "beyond-far",       "before-near",         "too-small",
-        "occlusion",     "back-faces",       "alpha",               "camera-inside",
-        "no-lights",     "lights-too-weak",  "lights-out-of-range", "light-direction",
-        "shadowed",      "exposure",         "black-materials",     "mirrors-nothing",
-        "fog",           "not-finite",       "shown-image"};
+    constexpr const char* kNames[] = {"target-size",
+                                      "view-not-finite",
+                                      "view-not-invertible",
+                                      "view-transposed",
+                                      "view-inverted",
+                                      "field-of-view",
+                                      "near-far-order",
+                                      "refused",
+                                      "empty-scene",
+                                      "transforms-not-finite",
+                                      "stale-handles",
+                                      "behind-camera",
+                                      "outside-view",
+                                      "beyond-far",
+                                      "before-near",
+                                      "too-small",
+                                      "occlusion",
+                                      "back-faces",
+                                      "alpha",
+                                      "camera-inside",
+                                      "no-lights",
+                                      "lights-too-weak",
+                                      "lights-out-of-range",
+                                      "light-direction",
+                                      "shadowed",
+                                      "exposure",
+                                      "black-materials",
+                                      "mirrors-nothing",
+                                      "fog",
+                                      "not-finite",
+                                      "shown-image"};
     static_assert(std::size(kNames) == size_t(Cause::count));
     return cause < Cause::count ? kNames[size_t(cause)] : "?";
 }

@@ -1,7 +1,8 @@
 #pragma once
-// Why is this frame black, white or empty? Facts are measured in the frame: what the input says, the frame's counters, its
-// pictures read back, and trials: the frame again with one suspect taken away (without fog, with the sun turned round, in
-// white). The cause whose absence brings the picture to life is named first.
+// Why is this frame black, white or empty? Facts are measured in the frame: what the input says,
+// the frame's counters, its pictures read back, and trials: the frame again with one suspect taken
+// away (without fog, with the sun turned round, in white). The cause whose absence brings the
+// picture to life is named first.
 
 #include "renderer/answers/picture_statistics.h"
 #include "renderer/renderer.h"
@@ -59,7 +60,7 @@ struct Finding {
 
 /// What is tried on the frame, one thing at a time.
 enum class Trial : uint8_t {
-    frameShown,       ///< FrameSettings::show is the frame
+    frameShown,  ///< FrameSettings::show is the frame
     noFog,
     noShadows,
     lightsTurned,     ///< suns, spots and flat lights shine the other way
@@ -67,10 +68,10 @@ enum class Trial : uint8_t {
     whiteMaterials,   ///< opaque, white, rough; backs are culled where they were
     doubleSided,      ///< the same, and seen from both sides
     noMetals,
-    suitedExposure,   ///< by the radiance that there is
-    planesApart,      ///< a very near near plane and no far plane
+    suitedExposure,  ///< by the radiance that there is
+    planesApart,     ///< a very near near plane and no far plane
     usualFieldOfView,
-    eyeFreed,         ///< without what the eye is inside of
+    eyeFreed,  ///< without what the eye is inside of
     noOcclusionCulling,
     count
 };
@@ -97,13 +98,14 @@ struct FrameEvidence {
 };
 
 struct Diagnosis {
-    FrameLook look;  ///< what the frame looks like
+    FrameLook look;                 ///< what the frame looks like
     std::vector<Finding> findings;  ///< the surest first; empty when the frame is fine
     bool isFine() const { return findings.empty(); }
 };
 
-/// Renders the frame, and its trials when it is black, white or empty. Offscreen; some 5 frames when it is fine, about 20
-/// else. A small size is enough, but objects are left out by their size in pixels.
+/// Renders the frame, and its trials when it is black, white or empty. Offscreen; some 5 frames
+/// when it is fine, about 20 else. A small size is enough, but objects are left out by their size
+/// in pixels.
 FrameEvidence gatherEvidence(Renderer& renderer, const FrameInput& input, uvec2 size);
 
 /// Ranks what the evidence says. Renders nothing.

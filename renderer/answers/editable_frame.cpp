@@ -1,6 +1,6 @@
 #include "renderer/answers/editable_frame.h"
 
-#include "renderer/frame/light_clusters.h"
+#include "renderer/lighting/clusters/light_clusters.h"
 
 namespace rushlight {
 
@@ -19,7 +19,8 @@ EditableFrame::EditableFrame(const FrameInput& from, std::span<const InstanceFac
     instances.clear();
     for (const InstanceFacts& f : facts) {
         instances.push_back(f.instance);
-        if (f.kept) instances.back().flags &= ~uint32_t(kInstanceMoving);  // from where is not known
+        if (f.kept)
+            instances.back().flags &= ~uint32_t(kInstanceMoving);  // from where is not known
     }
 }
 
@@ -41,7 +42,8 @@ void EditableFrame::removeAmbientLight() {
     if (l.background == Background::environment) l.background = Background::color;
 }
 
-// A range that follows from the intensity is kept: what a light reaches decides over its shadow and its froxels.
+// A range that follows from the intensity is kept: what a light reaches decides over its shadow and
+// its froxels.
 void EditableFrame::darkenLights() {
     for (DirectionalLight& light : directional) light.illuminance = vec3(0);
     for (PunctualLight& light : punctual) {

@@ -7,8 +7,8 @@
 
 namespace rushlight {
 
-/// A copy of a FrameInput that owns its instances and lights. Instances of a kept world are among its own when `facts`
-/// are given, so that their materials can be exchanged; else the world stays.
+/// A copy of a FrameInput that owns its instances and lights. Instances of a kept world are among
+/// its own when `facts` are given, so that their materials can be exchanged; else the world stays.
 class EditableFrame {
 public:
     explicit EditableFrame(const FrameInput& from);

@@ -1,5 +1,5 @@
 #include "renderer/answers/trials.h"
-#include "renderer/passes/tonemap_pass.h"
+#include "renderer/passes/post/tonemap_pass.h"
 
 namespace rushlight {
 namespace {

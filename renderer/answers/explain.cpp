@@ -3,8 +3,8 @@
 #include "interop/tonemap.h"
 #include "renderer/answers/light_shares.h"
 #include "renderer/answers/surface_finder.h"
-#include "renderer/frame/view_math.h"
-#include "renderer/passes/tonemap_pass.h"
+#include "renderer/geometry/view_math.h"
+#include "renderer/passes/post/tonemap_pass.h"
 
 #include <algorithm>
 
@@ -50,9 +50,7 @@ private:
     Result<void> peelOff();
     Result<void> hideBlended();
     Result<void> splitAmbient();
-    Result<void> splitLights() {
-        return addLightShares(shots_, *plain_, std::span(result_));
-    }
+    Result<void> splitLights() { return addLightShares(shots_, *plain_, std::span(result_)); }
     Result<void> readBloom();
     Result<void> findExposure();
     Result<float> measureExposure();
@@ -137,9 +135,12 @@ Result<void> Explainer::readGBuffer() {
     Result<void> ok = read(ShownImage::baseColor, [](PixelSurface& s, const vec3& v) {
         s.baseColor = interop::decodeSrgb(v);
     });
-    if (ok) ok = read(ShownImage::metallic, [](PixelSurface& s, const vec3& v) { s.metallic = v.x; });
-    if (ok) ok = read(ShownImage::roughness, [](PixelSurface& s, const vec3& v) { s.roughness = v.x; });
-    if (ok) ok = read(ShownImage::occlusion, [](PixelSurface& s, const vec3& v) { s.occlusion = v.x; });
+    if (ok)
+        ok = read(ShownImage::metallic, [](PixelSurface& s, const vec3& v) { s.metallic = v.x; });
+    if (ok)
+        ok = read(ShownImage::roughness, [](PixelSurface& s, const vec3& v) { s.roughness = v.x; });
+    if (ok)
+        ok = read(ShownImage::occlusion, [](PixelSurface& s, const vec3& v) { s.occlusion = v.x; });
     if (ok)
         ok = read(ShownImage::normal, [](PixelSurface& s, const vec3& v) {
             s.normal = glm::normalize(v * 2.0f - 1.0f);
@@ -184,7 +185,8 @@ Result<void> Explainer::peelOff() {
     if (!ok) return ok;
     for (PixelExplanation& p : result_) {
         const size_t at = size_t(p.pixel.y) * linear_.width + p.pixel.x;
-        if (input_.lighting.background == Background::transparent) p.alpha = linear_.rgba32f[at * 4 + 3];
+        if (input_.lighting.background == Background::transparent)
+            p.alpha = linear_.rgba32f[at * 4 + 3];
         if (!p.surface) p.background = colorAt(*whole, p.pixel);
     }
     return {};
@@ -213,8 +215,7 @@ Result<void> Explainer::splitAmbient() {
         p.ambientSpecular = colorAt(*ambient, p.pixel) - colorAt(*diffuse, p.pixel);
         const float all = interop::luminance(colorAt(*open, p.pixel) - p.emissive);
         if (all > 0)
-            p.ambientVisibility =
-                interop::luminance(p.ambientDiffuse + p.ambientSpecular) / all;
+            p.ambientVisibility = interop::luminance(p.ambientDiffuse + p.ambientSpecular) / all;
     }
     return {};
 }
@@ -230,7 +231,8 @@ Result<void> Explainer::readBloom() {
     return {};
 }
 
-// An exposure that the GPU found is measured: the factor between the linear picture and one that is displayed untouched.
+// An exposure that the GPU found is measured: the factor between the linear picture and one that is
+// displayed untouched.
 Result<float> Explainer::measureExposure() {
     FrameInput untouched = input_;
     untouched.settings.toneMap = ToneMap::none;

@@ -4,7 +4,7 @@
 namespace rushlight {
 namespace {
 
-// As shaders/passes/tonemap.frag.
+// As shaders/passes/post/tonemap.frag.
 vec3 toneMapped(ToneMap map, const vec3& color) {
     switch (map) {
         case ToneMap::none: break;

@@ -1,6 +1,6 @@
 #include "renderer/answers/frame_survey.h"
 
-#include "renderer/frame/view_math.h"
+#include "renderer/geometry/view_math.h"
 
 #include <algorithm>
 #include <limits>
@@ -21,11 +21,16 @@ void sort(const CameraMatrices& camera, const Aabb& box, FrameSurvey& found) {
     const auto& planes = camera.frustum.planes;  // left, right, bottom, top, near, far
     const bool aside = std::any_of(planes.begin(), planes.begin() + 4,
                                    [&](const Plane& plane) { return isOutside(plane, box); });
-    if (along + radius < 0 && camera.perspective) ++found.behind;
-    else if (isOutside(planes[5], box) && !aside) ++found.beyondFar;
-    else if (isOutside(planes[4], box) && !aside) ++found.beforeNear;
-    else if (aside) ++found.aside;
-    else ++found.inView;
+    if (along + radius < 0 && camera.perspective)
+        ++found.behind;
+    else if (isOutside(planes[5], box) && !aside)
+        ++found.beyondFar;
+    else if (isOutside(planes[4], box) && !aside)
+        ++found.beforeNear;
+    else if (aside)
+        ++found.aside;
+    else
+        ++found.inView;
 }
 
 }  // namespace

@@ -12,11 +12,13 @@ struct FrameSurvey {
     uint32_t aside = 0;      ///< before the eye, outside of the view's sides
     uint32_t beyondFar = 0;
     uint32_t beforeNear = 0;
-    float nearest = 0, farthest = 0;  ///< metres along the view of the boxes' nearest and farthest points
+    float nearest = 0, farthest = 0;  ///< metres along the view of the boxes' nearest and farthest
+                                      ///< points
 };
 
 FrameSurvey survey(const View& view, float aspect, std::span<const InstanceFacts> instances);
-/// How many there are in view when the same camera is given by another matrix; none where that is no good one.
+/// How many there are in view when the same camera is given by another matrix; none where that is
+/// no good one.
 uint32_t inViewOf(View view, const mat4& viewFromWorld, float aspect,
                   std::span<const InstanceFacts> instances);
 

@@ -24,7 +24,8 @@ void judgeAlpha(Judgement& j) {
               " cut by alpha; the largest alpha of their base colours is " + number(alpha) +
               "; in opaque white " + percent(j.evidence.of(Trial::whiteMaterials).look.drawn) +
               " of the picture is drawn.",
-          "Give the base colour or its texture an alpha above 0 (above alphaCutoff where it is a mask), "
+          "Give the base colour or its texture an alpha above 0 (above alphaCutoff where it is a "
+          "mask), "
           "or set alphaMode to opaque.");
 }
 
@@ -39,15 +40,18 @@ void judgeBacks(Judgement& j) {
               "The camera at " + text(eye) + " is inside of " + std::to_string(around) +
                   " objects, whose backs are not drawn; seen from both sides they cover " + drawn +
                   " of the picture.",
-              "Move the camera out of the object, or check the object's scale; make what is to be seen "
+              "Move the camera out of the object, or check the object's scale; make what is to be "
+              "seen "
               "from within double-sided.");
     const bool mirrored = glm::determinant(j.input.view.viewFromWorld) < 0;
     j.add(Cause::backFaces, around > 0 ? 0.5f : 0.95f,
           "Only back faces are in view: seen from both sides they cover " + drawn +
               " of the picture, as they are nothing." +
               (mirrored ? " The view matrix mirrors: its determinant is negative." : ""),
-          mirrored ? "Give a view without a mirror; for a left-handed camera negate its z axis and its x axis."
-                   : "Front faces are counter-clockwise: reverse the indices of each triangle, or make the "
+          mirrored ? "Give a view without a mirror; for a left-handed camera negate its z axis and "
+                     "its x axis."
+                   : "Front faces are counter-clockwise: reverse the indices of each triangle, or "
+                     "make the "
                      "material double-sided.");
 }
 
@@ -61,7 +65,8 @@ void judgeInside(Judgement& j) {
         return j.add(Cause::cameraInside, 0.97f,
                      "The camera at " + text(eye) + " is inside of object " +
                          std::to_string(j.evidence.instances[i].instance.id) + ", which spans " +
-                         text(box.low) + " to " + text(box.high) + "; without it the frame is fine.",
+                         text(box.low) + " to " + text(box.high) +
+                         "; without it the frame is fine.",
                      "Move the camera out of the object, or check the object's scale.");
     }
 }
@@ -73,10 +78,13 @@ void judgeSurfaces(Judgement& j) {
         j.add(Cause::fieldOfView, 0.95f,
               "The vertical field of view is " + number(j.input.view.verticalFov) +
                   " rad; with 0.785 the frame is fine.",
-              "Give the field of view in radians; one that was turned into radians twice is this small.");
+              "Give the field of view in radians; one that was turned into radians twice is this "
+              "small.");
     if (!j.evidence.look.isEmpty()) return judgeInside(j);
-    if (draws(j, Trial::whiteMaterials)) judgeAlpha(j);
-    else if (draws(j, Trial::doubleSided)) judgeBacks(j);
+    if (draws(j, Trial::whiteMaterials))
+        judgeAlpha(j);
+    else if (draws(j, Trial::doubleSided))
+        judgeBacks(j);
 }
 
 }  // namespace rushlight

@@ -1,7 +1,7 @@
 #include "renderer/answers/light_shares.h"
 
 #include "interop/tonemap.h"
-#include "renderer/frame/light_clusters.h"
+#include "renderer/lighting/clusters/light_clusters.h"
 
 #include <algorithm>
 
@@ -71,9 +71,9 @@ Result<void> addLightShares(Shots& shots, const EditableFrame& plain,
         const auto open = shadowed ? shots.take(frame.input(), CaptureKind::hdr) : alone;
         if (!open) return tl::unexpected(open.error());
         for (PixelExplanation* pixel : reached) {
-            LightShare share{place.kind, place.index, colorAt(*alone, pixel->pixel) - pixel->emissive, 1};
-            const float all =
-                interop::luminance(colorAt(*open, pixel->pixel) - pixel->emissive);
+            LightShare share{place.kind, place.index,
+                             colorAt(*alone, pixel->pixel) - pixel->emissive, 1};
+            const float all = interop::luminance(colorAt(*open, pixel->pixel) - pixel->emissive);
             if (!(all > 0)) continue;
             share.shadow = std::clamp(interop::luminance(share.radiance) / all, 0.0f, 1.0f);
             pixel->lights.push_back(share);

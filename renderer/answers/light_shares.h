@@ -6,8 +6,9 @@
 
 namespace rushlight {
 
-/// Adds a LightShare to every pixel that has a surface and that the light reaches, in the order of brightness. `plain`:
-/// the frame with nothing over its opaque surfaces; the pixels' surfaces and `emissive` are known.
+/// Adds a LightShare to every pixel that has a surface and that the light reaches, in the order of
+/// brightness. `plain`: the frame with nothing over its opaque surfaces; the pixels' surfaces and
+/// `emissive` are known.
 Result<void> addLightShares(Shots& shots, const EditableFrame& plain,
                             std::span<PixelExplanation> pixels);
 

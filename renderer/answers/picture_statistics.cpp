@@ -1,7 +1,7 @@
 #include "renderer/answers/picture_statistics.h"
 
 #include "interop/tonemap.h"
-#include "renderer/frame/view_math.h"
+#include "renderer/geometry/view_math.h"
 
 #include <algorithm>
 #include <array>
@@ -111,8 +111,8 @@ FrameLook lookOf(const LookPictures& in, bool expectsDrawn) {
 
 namespace {
 
-/// Extinction along a way of `length` metres that begins at the height `low` and rises by `rise`: the integral of
-/// Fog::density's exponential.
+/// Extinction along a way of `length` metres that begins at the height `low` and rises by `rise`:
+/// the integral of Fog::density's exponential.
 float opticalDepth(const Fog& fog, float low, float rise, float length) {
     const float k = fog.heightFalloff;
     const float atEye = fog.density * std::exp(-k * (low - fog.height));
@@ -131,10 +131,13 @@ float veiledBy(const Fog& fog, const View& view, const CapturedImage& depth) {
             const float d = depth.rgba32f[(size_t(y) * depth.width + x) * 4];
             if (!(d > 0)) continue;
             const float linear = d * camera->depthDecode.x + camera->depthDecode.y;
-            const vec2 uv((float(x) + 0.5f) / float(depth.width), 1 - (float(y) + 0.5f) / float(depth.height));
-            const vec3 way = camera->relativePosition(uv, camera->perspective ? 1 / linear : linear);
+            const vec2 uv((float(x) + 0.5f) / float(depth.width),
+                          1 - (float(y) + 0.5f) / float(depth.height));
+            const vec3 way = camera->relativePosition(uv,
+                                                      camera->perspective ? 1 / linear : linear);
             ++surfaces;
-            veiled += opticalDepth(fog, camera->position.y, way.y, glm::length(way)) > std::log(255.0f);
+            veiled += opticalDepth(fog, camera->position.y, way.y, glm::length(way)) >
+                      std::log(255.0f);
         }
     return surfaces ? float(double(veiled) / double(surfaces)) : 0;
 }

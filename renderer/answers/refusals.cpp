@@ -10,15 +10,17 @@ bool judgeMatrix(Judgement& j) {
     const mat4& m = j.input.view.viewFromWorld;
     if (!isFinite(m)) {
         j.add(Cause::viewNotFinite, 1, "The view matrix holds NaN or infinite values.",
-              "Look for a division by zero where viewFromWorld is made, such as an eye that is its own "
+              "Look for a division by zero where viewFromWorld is made, such as an eye that is its "
+              "own "
               "target or an up vector along the view.");
         return true;
     }
     if (std::abs(glm::determinant(m)) >= 1e-12f) return false;
-    j.add(Cause::viewNotInvertible, 1,
-          "The view matrix has the determinant " + number(glm::determinant(m)) + ".",
-          "Give a matrix that can be inverted: no axis of the camera may be scaled to nothing, and a "
-          "matrix that was never set is all zero.");
+    j.add(
+        Cause::viewNotInvertible, 1,
+        "The view matrix has the determinant " + number(glm::determinant(m)) + ".",
+        "Give a matrix that can be inverted: no axis of the camera may be scaled to nothing, and a "
+        "matrix that was never set is all zero.");
     return true;
 }
 
@@ -40,11 +42,12 @@ bool judgePlanes(Judgement& j) {
                       (view.nearPlane > 0 || !view.perspective) &&
                       (view.farPlane > view.nearPlane || (view.farPlane == 0 && view.perspective));
     if (good) return false;
-    j.add(Cause::nearFarOrder, 1,
-          "The near plane is at " + number(view.nearPlane) + " m and the far plane at " +
-              number(view.farPlane) + " m.",
-          "The near plane must be above 0 and the far plane beyond it (0: infinitely far). Depth is "
-          "reversed inside of the renderer; do not exchange the two for it.");
+    j.add(
+        Cause::nearFarOrder, 1,
+        "The near plane is at " + number(view.nearPlane) + " m and the far plane at " +
+            number(view.farPlane) + " m.",
+        "The near plane must be above 0 and the far plane beyond it (0: infinitely far). Depth is "
+        "reversed inside of the renderer; do not exchange the two for it.");
     return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// Which instance each pixel shows, found with the frame's own G-buffer: every instance gets a material whose metalness is
-// a digit of its number, with what decides over coverage (alpha cut, sides) as it was; one frame a digit.
+// Which instance each pixel shows, found with the frame's own G-buffer: every instance gets a
+// material whose metalness is a digit of its number, with what decides over coverage (alpha cut,
+// sides) as it was; one frame a digit.
 
 #include "renderer/answers/editable_frame.h"
 
@@ -15,8 +16,8 @@ public:
         : shots_(shots), input_(input), facts_(facts), materials_(shots.renderer()) {}
 
     bool hasBlended() const;
-    /// By pixel, rows from the top: which of the facts is seen there, of opaque and masked surfaces or, `withBlended`, of
-    /// all that are not wholly transparent there; kNone for the background.
+    /// By pixel, rows from the top: which of the facts is seen there, of opaque and masked surfaces
+    /// or, `withBlended`, of all that are not wholly transparent there; kNone for the background.
     Result<std::vector<uint32_t>> find(bool withBlended);
 
 private:

@@ -8,7 +8,8 @@ namespace {
 
 /// Each instance in a material of its own, made from what it had.
 template <class F>
-void remake(const FrameEvidence& evidence, TrialMaterials& materials, EditableFrame& frame, F&& change) {
+void remake(const FrameEvidence& evidence, TrialMaterials& materials, EditableFrame& frame,
+            F&& change) {
     struct Made {
         MaterialHandle from, to;
     };
@@ -36,11 +37,13 @@ MaterialDesc white(const MaterialDesc& from) {
 
 bool turnLights(EditableFrame& frame) {
     bool any = false;
-    for (DirectionalLight& light : frame.directional) light.direction = -light.direction, any = true;
+    for (DirectionalLight& light : frame.directional)
+        light.direction = -light.direction, any = true;
     for (PunctualLight& light : frame.punctual)
         if (light.outerConeAngle >= 0) light.direction = -light.direction, any = true;
     for (AreaLight& light : frame.area)
-        if (!light.twoSided && light.shape <= AreaShape::disk) light.halfX = -light.halfX, any = true;
+        if (!light.twoSided && light.shape <= AreaShape::disk)
+            light.halfX = -light.halfX, any = true;
     return any;
 }
 

@@ -13,7 +13,8 @@ using nlohmann::ordered_json;
 constexpr int kProcess = 1, kCpu = 1, kGpu = 2, kServing = 3;
 
 constexpr const char* kLayout =
-    "Begins and durations are measured. A frame's GPU times arrive with a later frame: the last frames have none.";
+    "Begins and durations are measured. A frame's GPU times arrive with a later frame: the last "
+    "frames have none.";
 
 /// Nanoseconds, so that ends and beginnings that should be equal are.
 int64_t nanoseconds(double ms) { return std::isfinite(ms) && ms > 0 ? std::llround(ms * 1e6) : 0; }
@@ -48,7 +49,11 @@ public:
              {"args", {{"value", value}}}});
     }
     void metadata(const char* name, int track, const char* value) {
-        add({{"ph", "M"}, {"name", name}, {"pid", kProcess}, {"tid", track}, {"args", {{"name", value}}}});
+        add({{"ph", "M"},
+             {"name", name},
+             {"pid", kProcess},
+             {"tid", track},
+             {"args", {{"name", value}}}});
     }
 
 private:
@@ -93,7 +98,9 @@ void FrameTrace::add(const FrameReport& report, const FrameTiming& timing) {
     if (executed && executed->executed) executed = nullptr;  // that was told before
     const bool serves = executed && report.executedFrame != report.frameNumber;
     Execution execute;
-    if (executed) execute = execution(report, *executed, serves ? kServing : kCpu, serves ? servingEnd_ : buildEnd);
+    if (executed)
+        execute = execution(report, *executed, serves ? kServing : kCpu,
+                            serves ? servingEnd_ : buildEnd);
     cpuEnd_ = std::max({begin + nanoseconds(timing.wallMs), buildEnd, serves ? 0 : execute.end});
     // What holds others comes before them.
     writer.complete(kCpu, name, "frame", begin, cpuEnd_, frameArguments(report, timing));
@@ -116,8 +123,7 @@ FrameTrace::Execution FrameTrace::execution(const FrameReport& report, Known& fr
     Writer writer(passes);
     for (const PassReport& pass : report.passes) {
         frame.passes.emplace_back(pass.name, passArguments(pass));
-        const int64_t begin =
-            std::max(frame.executeBegin + nanoseconds(pass.cpuBeginMs), end);
+        const int64_t begin = std::max(frame.executeBegin + nanoseconds(pass.cpuBeginMs), end);
         end = begin + nanoseconds(pass.cpuMs);
         writer.complete(track, pass.name, "pass", begin, end, frame.passes.back().second);
     }

@@ -1,6 +1,7 @@
 #pragma once
-// Timelines of drawn frames in the Trace Event Format, which Perfetto (ui.perfetto.dev) and chrome://tracing open.
-// Format: "Trace Event Format", Google, 2016 (complete events "X", counters "C", metadata "M"; microseconds).
+// Timelines of drawn frames in the Trace Event Format, which Perfetto (ui.perfetto.dev) and
+// chrome://tracing open. Format: "Trace Event Format", Google, 2016 (complete events "X", counters
+// "C", metadata "M"; microseconds).
 
 #include "renderer/frame/frame_report.h"
 
@@ -14,7 +15,8 @@
 
 namespace rushlight {
 
-/// When a frame was drawn, by the host's clock in milliseconds, and what only the host can measure of it.
+/// When a frame was drawn, by the host's clock in milliseconds, and what only the host can measure
+/// of it.
 struct FrameTiming {
     double beginMs = 0;  ///< since the trace's start
     double wallMs = 0;
@@ -22,10 +24,11 @@ struct FrameTiming {
     bool warmUp = false;
 };
 
-/// One process with the tracks "CPU" (frame > build, execute > passes), "GPU" (frame > passes), in the render-thread mode
-/// "Serving thread" (execute > passes), and counters, all by the host's clock. Begins and durations are measured; an event
-/// that would begin, by the rounding of clocks, before the one before it on its track has ended begins with that end.
-/// A frame's GPU times arrive with a later frame's report: those of the last frames of a trace are missing, and those of
+/// One process with the tracks "CPU" (frame > build, execute > passes), "GPU" (frame > passes), in
+/// the render-thread mode "Serving thread" (execute > passes), and counters, all by the host's
+/// clock. Begins and durations are measured; an event that would begin, by the rounding of clocks,
+/// before the one before it on its track has ended begins with that end. A frame's GPU times arrive
+/// with a later frame's report: those of the last frames of a trace are missing, and those of
 /// frames that it does not have are left out. What has no GPU time is not on the GPU's track.
 class FrameTrace {
 public:
@@ -37,7 +40,8 @@ public:
 
     uint32_t frames() const { return frames_; }
 
-    /// The whole file: valid after any number of frames. `device` and `version` as the renderer tells them.
+    /// The whole file: valid after any number of frames. `device` and `version` as the renderer
+    /// tells them.
     std::string json(std::string_view device, std::string_view version) const;
 
 private:

@@ -2,7 +2,7 @@
 
 #include "engine/core/check.h"
 #include "renderer/capture/write_file.h"
-#include "renderer/commands/half_floats.h"
+#include "renderer/rhi/half_floats.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>

@@ -13,8 +13,8 @@ Picture pictureOf(const PictureView& view) {
         return picture;
     }
     picture.rgba.resize(view.rgba8.size());
-    constexpr float kScale =
-        1.0f / 255;  // multiplied, as OpenImageIO does: equal pixels are equal floats
+    constexpr float kScale = 1.0f / 255;  // multiplied, as OpenImageIO does: equal pixels are equal
+                                          // floats
     for (size_t i = 0; i < picture.rgba.size(); ++i) {
         const float value = float(view.rgba8[i]) * kScale;
         picture.rgba[i] = i % 4 == 3 ? value : value * (float(view.rgba8[i | 3]) * kScale);

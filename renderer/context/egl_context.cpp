@@ -89,8 +89,8 @@ Result<std::unique_ptr<Context>> contextOn(const EglLibrary& egl, EGLDisplay dis
 }
 
 bool isSoftware(const EglLibrary& egl, EGLDeviceEXT device) {
-    const char* extensions =
-        egl.queryDeviceString ? egl.queryDeviceString(device, EGL_EXTENSIONS) : nullptr;
+    const char* extensions = egl.queryDeviceString ? egl.queryDeviceString(device, EGL_EXTENSIONS)
+                                                   : nullptr;
     return extensions && hasWord(extensions, "EGL_MESA_device_software");
 }
 
@@ -111,8 +111,8 @@ Result<std::unique_ptr<Context>> contextOnDevice(const EglLibrary& egl,
                           [&](EGLDeviceEXT device) { return !isSoftware(egl, device); });
     std::string reasons;
     for (EGLint i = 0; i < count; ++i) {
-        const EGLDisplay display =
-            egl.getPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[size_t(i)], nullptr);
+        const EGLDisplay display = egl.getPlatformDisplay(EGL_PLATFORM_DEVICE_EXT,
+                                                          devices[size_t(i)], nullptr);
         auto context = contextOn(egl, display, kKind, options);
         if (context) return context;
         if (i > 0) reasons += ' ';

@@ -15,21 +15,21 @@ namespace {
 /// A raster thread names itself when it first runs, so each has to run once: clears a small image
 /// and waits.
 void wakeRasterThreads(GlLoader loader) {
-    const auto createFramebuffers =
-        reinterpret_cast<PFNGLCREATEFRAMEBUFFERSPROC>(loader("glCreateFramebuffers"));
-    const auto createRenderbuffers =
-        reinterpret_cast<PFNGLCREATERENDERBUFFERSPROC>(loader("glCreateRenderbuffers"));
-    const auto storage =
-        reinterpret_cast<PFNGLNAMEDRENDERBUFFERSTORAGEPROC>(loader("glNamedRenderbufferStorage"));
+    const auto createFramebuffers = reinterpret_cast<PFNGLCREATEFRAMEBUFFERSPROC>(
+        loader("glCreateFramebuffers"));
+    const auto createRenderbuffers = reinterpret_cast<PFNGLCREATERENDERBUFFERSPROC>(
+        loader("glCreateRenderbuffers"));
+    const auto storage = reinterpret_cast<PFNGLNAMEDRENDERBUFFERSTORAGEPROC>(
+        loader("glNamedRenderbufferStorage"));
     const auto attach = reinterpret_cast<PFNGLNAMEDFRAMEBUFFERRENDERBUFFERPROC>(
         loader("glNamedFramebufferRenderbuffer"));
-    const auto clear =
-        reinterpret_cast<PFNGLCLEARNAMEDFRAMEBUFFERFVPROC>(loader("glClearNamedFramebufferfv"));
+    const auto clear = reinterpret_cast<PFNGLCLEARNAMEDFRAMEBUFFERFVPROC>(
+        loader("glClearNamedFramebufferfv"));
     const auto finish = reinterpret_cast<PFNGLFINISHPROC>(loader("glFinish"));
-    const auto deleteFramebuffers =
-        reinterpret_cast<PFNGLDELETEFRAMEBUFFERSPROC>(loader("glDeleteFramebuffers"));
-    const auto deleteRenderbuffers =
-        reinterpret_cast<PFNGLDELETERENDERBUFFERSPROC>(loader("glDeleteRenderbuffers"));
+    const auto deleteFramebuffers = reinterpret_cast<PFNGLDELETEFRAMEBUFFERSPROC>(
+        loader("glDeleteFramebuffers"));
+    const auto deleteRenderbuffers = reinterpret_cast<PFNGLDELETERENDERBUFFERSPROC>(
+        loader("glDeleteRenderbuffers"));
 
     GLuint framebuffer = 0;
     GLuint renderbuffer = 0;

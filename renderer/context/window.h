@@ -10,7 +10,8 @@ struct GLFWwindow;
 
 namespace rushlight {
 
-/// A window with a context, GLFW underneath. Its events are read through `native()` by engine/input.
+/// A window with a context, GLFW underneath. Its events are read through `native()` by
+/// engine/input.
 class Window {
 public:
     virtual ~Window() = default;
@@ -18,7 +19,8 @@ public:
     virtual GlLoader loader() const = 0;
     virtual void swapBuffers() = 0;
     virtual bool shouldClose() const = 0;
-    virtual void framebufferSize(uint32_t& width, uint32_t& height) const = 0;  ///< pixels; 0 while minimised
+    virtual void framebufferSize(uint32_t& width, uint32_t& height) const = 0;  ///< pixels; 0 while
+                                                                                ///< minimised
 };
 
 struct WindowOptions {

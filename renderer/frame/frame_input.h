@@ -1,6 +1,7 @@
 #pragma once
 // One frame as data: what the host hands over. Spans are read during Renderer::render alone.
-// Units: metres, seconds, radians; right-handed, y up. Colours are linear Rec.709 unless said otherwise.
+// Units: metres, seconds, radians; right-handed, y up. Colours are linear Rec.709 unless said
+// otherwise.
 
 #include "engine/core/bounds.h"
 #include "renderer/frame/decals.h"
@@ -14,8 +15,9 @@ using InstanceHandle = Handle<struct InstanceTag>;  ///< within its world
 
 enum InstanceFlags : uint32_t {
     kInstanceCastsShadow = 1,
-    kInstanceMoving = 2,  ///< `previousTransform` indexes FrameInput::previousTransforms
-    kInstanceOccluder = 4,    ///< hides much: considered before the occluders that the renderer finds itself
+    kInstanceMoving = 2,    ///< `previousTransform` indexes FrameInput::previousTransforms
+    kInstanceOccluder = 4,  ///< hides much: considered before the occluders that the renderer finds
+                            ///< itself
     kInstanceNoOccluder = 8,  ///< never considered as one
 };
 
@@ -37,7 +39,8 @@ struct View {
     float aspect = 0;               ///< width over height; 0: that of the target
     float nearPlane = 0.1f;         ///< > 0 for perspective
     float farPlane = 0;             ///< 0: infinite (perspective only)
-    mat4 previousViewFromWorld{0};  ///< of the last frame, for velocity; all zero: the camera stands still
+    mat4 previousViewFromWorld{0};  ///< of the last frame, for velocity; all zero: the camera
+                                    ///< stands still
 };
 
 /// A run of overlay triangles with one scissor rectangle (pixels from the top left).
@@ -48,7 +51,8 @@ struct OverlayBatch {
     ivec2 clipHigh{0};
 };
 
-/// A user interface drawn over the frame, in sRGB, after everything. `image` (coverage in alpha) is sampled at uv.
+/// A user interface drawn over the frame, in sRGB, after everything. `image` (coverage in alpha) is
+/// sampled at uv.
 struct Overlay {
     std::span<const OverlayVertex> vertices;
     std::span<const uint32_t> indices;
@@ -59,9 +63,11 @@ struct Overlay {
 struct FrameInput {
     View view;
     WorldHandle world;                    ///< instances that the renderer keeps; zero: none
-    std::span<const Instance> instances;  ///< others, for this frame; equal to the last frame's they cost a comparison
+    std::span<const Instance> instances;  ///< others, for this frame; equal to the last frame's
+                                          ///< they cost a comparison
     std::span<const mat4x3> previousTransforms;
-    std::span<const Decal> decals;  ///< at most kMaxDecals; those of no good box or material are left out
+    std::span<const Decal> decals;  ///< at most kMaxDecals; those of no good box or material are
+                                    ///< left out
     Lighting lighting;
     FrameSettings settings;
     Overlay overlay;

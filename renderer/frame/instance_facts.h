@@ -7,9 +7,10 @@ namespace rushlight {
 
 /// An instance as the last frame saw it.
 struct InstanceFacts {
-    Instance instance;    ///< as it was given; of a kept one `flags` and `previousTransform` are the renderer's
-    bool kept = false;    ///< of FrameInput::world; else of FrameInput::instances
-    uint32_t index = 0;   ///< in FrameInput::instances, or the slot in the world
+    Instance instance;   ///< as it was given; of a kept one `flags` and `previousTransform` are the
+                         ///< renderer's
+    bool kept = false;   ///< of FrameInput::world; else of FrameInput::instances
+    uint32_t index = 0;  ///< in FrameInput::instances, or the slot in the world
     bool rejected = false;  ///< left out of the frame, and why:
     bool staleMesh = false, staleMaterial = false;
     bool notFinite = false;  ///< its transform or its box, or its previous transform is missing

@@ -10,7 +10,9 @@ namespace {
 constexpr uint32_t kLeastCapture = 16;
 constexpr uint32_t kMostCapture = 1024;
 
-bool finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool finite(const vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 const char* faultOf(const ReflectionProbe& p) {
     if (!finite(p.position) || !finite(p.center)) return "its place is not finite.";
@@ -19,7 +21,8 @@ const char* faultOf(const ReflectionProbe& p) {
     if (!finite(p.blend) || !(p.blend.x >= 0 && p.blend.y >= 0 && p.blend.z >= 0))
         return "its blend distance must be finite and not negative.";
     const float turn = glm::length(p.rotation);
-    if (!std::isfinite(turn) || std::abs(turn - 1) > 1e-3f) return "its rotation is no unit quaternion.";
+    if (!std::isfinite(turn) || std::abs(turn - 1) > 1e-3f)
+        return "its rotation is no unit quaternion.";
     if (!std::isfinite(p.intensity) || p.intensity < 0)
         return "its intensity must be finite and not negative.";
     const vec3 place = glm::abs(glm::inverse(p.rotation) * (p.position - p.center));
@@ -32,8 +35,9 @@ const char* faultOf(const ReflectionProbe& p) {
 
 Result<void> checkReflectionProbes(std::span<const ReflectionProbe> probes) {
     if (probes.size() > kMaxReflectionProbes)
-        return fail("lighting", "there are " + std::to_string(probes.size()) +
-                                    " reflection probes; at most 256 are possible.",
+        return fail("lighting",
+                    "there are " + std::to_string(probes.size()) +
+                        " reflection probes; at most 256 are possible.",
                     ErrorKind::wrongUse);
     for (size_t i = 0; i < probes.size(); ++i)
         if (const char* fault = faultOf(probes[i]))

@@ -1,7 +1,8 @@
 #pragma once
-// What passes that draw one triangle over their target have in common: shaders/common/fullscreen.vert.
+// What passes that draw one triangle over their target have in common:
+// shaders/common/fullscreen.vert.
 
-#include "renderer/frame/frame_plan.h"
+#include "renderer/plan/frame_plan.h"
 #include "shaders/interop/uniforms.h"
 
 #include <span>

@@ -1,7 +1,7 @@
 #include "renderer/raytrace/area_sampling.h"
 
 #include "interop/brdf.h"
-#include "renderer/frame/vertex_packing.h"
+#include "renderer/geometry/vertex_packing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,13 +21,15 @@ SurfacePoint flatPoint(const AreaLight& light, float u, float v) {
     const float quarter = glm::length(across);
     if (!(quarter > 0)) return {};
     if (light.shape == AreaShape::rectangle)
-        return {light.halfX * (2 * u - 1) + light.halfY * (2 * v - 1), across / quarter, 4 * quarter};
+        return {light.halfX * (2 * u - 1) + light.halfY * (2 * v - 1), across / quarter,
+                4 * quarter};
     const float r = std::sqrt(u), phi = 2 * kPi * v;
     return {light.halfX * (r * std::cos(phi)) + light.halfY * (r * std::sin(phi)), across / quarter,
             kPi * quarter};
 }
 
-// Of the side, what lies between the two tangents from `from` (relative to the middle), and the end that looks there.
+// Of the side, what lies between the two tangents from `from` (relative to the middle), and the end
+// that looks there.
 SurfacePoint tubePoint(const AreaLight& light, const vec3& from, float u, float v) {
     const float half = glm::length(light.halfX), radius = light.radius;
     if (!(half > 0 && radius > 0)) return {};
@@ -49,7 +51,8 @@ SurfacePoint tubePoint(const AreaLight& light, const vec3& from, float u, float 
     if (!(end > 0)) return {};
     const float r = radius * std::sqrt((place - side) / end), phi = 2 * kPi * v;
     const vec3 outwards = axis * (axial < 0 ? -1.0f : 1.0f);
-    return {outwards * half + x * (r * std::cos(phi)) + y * (r * std::sin(phi)), outwards, side + end};
+    return {outwards * half + x * (r * std::cos(phi)) + y * (r * std::sin(phi)), outwards,
+            side + end};
 }
 
 // Things are nearer to a surface than along a ray that leaves it aslant.
@@ -99,7 +102,7 @@ AreaSample sampleSurface(const AreaLight& light, const vec3& center, float u, fl
 AreaSample sampleAreaLight(const AreaLight& light, const vec3& position, RayRandom& random) {
     const float u = random.next(), v = random.next();
     const vec3 center = light.position - position;
-    // The window of shaders/common/area_lights.glsl.
+    // The window of shaders/common/light/area_lights.glsl.
     const float x = glm::dot(center, center) * interop::inverseRangeSquared(light.range);
     const float reach = 1 - x * x;
     if (!(reach > 0)) return {};
@@ -124,7 +127,8 @@ bool standsFor(const AreaLight& light, const vec3& position, const vec3& directi
     if (!(quarter > 0) || (!light.twoSided && glm::dot(across, direction) >= 0)) return false;
     if (std::abs(glm::dot(from, across)) > near * quarter) return false;
     const float a = alongX / (x + near), b = glm::dot(from, light.halfY) / (y * (y + near));
-    return light.shape == AreaShape::disk ? a * a + b * b <= 1 : std::max(std::abs(a), std::abs(b)) <= 1;
+    return light.shape == AreaShape::disk ? a * a + b * b <= 1
+                                          : std::max(std::abs(a), std::abs(b)) <= 1;
 }
 
 }  // namespace rushlight

@@ -2,7 +2,7 @@
 
 #include "engine/core/hash.h"
 #include "interop/tonemap.h"
-#include "renderer/frame/equirect.h"
+#include "renderer/lighting/environment/equirect.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@ namespace {
 
 constexpr uint32_t kTableWidth = 128;
 
-
-/// The radiance whose irradiance over pi is mix(ground, sky, n.y / 2 + 1/2), as the shaders have it, where it can be.
+/// The radiance whose irradiance over pi is mix(ground, sky, n.y / 2 + 1/2), as the shaders have
+/// it, where it can be.
 vec3 hemisphere(const vec3& sky, const vec3& ground, float y) {
     return glm::max(0.5f * (sky + ground) + 0.75f * y * (sky - ground), vec3(0));
 }
@@ -34,8 +34,9 @@ uint64_t hashOf(const BakeLighting& lighting) {
         add(light.direction);
         add(light.innerConeAngle);
         add(light.outerConeAngle);
-        for (const LightPattern* pattern : {lighting.patterns ? lighting.patterns->find(light.profile) : nullptr,
-                                            lighting.patterns ? lighting.patterns->find(light.cookie) : nullptr}) {
+        for (const LightPattern* pattern :
+             {lighting.patterns ? lighting.patterns->find(light.profile) : nullptr,
+              lighting.patterns ? lighting.patterns->find(light.cookie) : nullptr}) {
             if (!pattern) continue;
             hash = hashBytes(pattern->texels.data(), pattern->texels.size() * sizeof(vec3), hash);
             add(pattern->perRadian);
@@ -69,7 +70,9 @@ uint64_t hashOf(const BakeLighting& lighting) {
 Result<BakeLight> BakeLight::create(const BakeLighting& lighting, JobSystem& jobs) {
     BakeLight out;
     out.patterns_ = lighting.patterns;
-    const auto wrong = [](const char* what) { return fail("baked light", what, ErrorKind::wrongUse); };
+    const auto wrong = [](const char* what) {
+        return fail("baked light", what, ErrorKind::wrongUse);
+    };
     for (const DirectionalLight& light : lighting.directional) {
         const float length = glm::length(light.direction);
         if (!(length > 0) || !std::isfinite(length) || !isFinite(light.illuminance))
@@ -85,8 +88,7 @@ Result<BakeLight> BakeLight::create(const BakeLighting& lighting, JobSystem& job
     }
     for (const AreaLight& light : lighting.area) {
         if (!isFinite(light.position) || !isFinite(light.luminance) || !isFinite(light.halfX) ||
-            !isFinite(light.halfY) ||
-            !std::isfinite(light.radius + light.range + light.shadowNear))
+            !isFinite(light.halfY) || !std::isfinite(light.radius + light.range + light.shadowNear))
             return wrong("an area light is not finite.");
         out.area_.push_back(light);
     }
@@ -155,8 +157,8 @@ SkySample BakeLight::sampleSky(RayRandom& random) const {
     const float which = random.next(), u = random.next(), v = random.next();
     if (radiance_.empty()) return {};
     const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), which);
-    const uint32_t texel = uint32_t(std::min<size_t>(size_t(found - cumulative_.begin()),
-                                                     cumulative_.size() - 1));
+    const uint32_t texel = uint32_t(
+        std::min<size_t>(size_t(found - cumulative_.begin()), cumulative_.size() - 1));
     const uint32_t x = texel % width_, y = texel / width_;
     // Evenly by solid angle within the texel: by sine of the latitude.
     const float top = std::cos(kPi * float(y) / float(height_));

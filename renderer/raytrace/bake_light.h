@@ -27,7 +27,8 @@ public:
     std::span<const AreaLight> area() const { return area_; }
     /// The factor of a light's profile and cookie.
     vec3 pattern(const PunctualLight& light, const vec3& direction) const {
-        return patterns_ && (light.profile || light.cookie) ? patterns_->factor(light, direction) : vec3(1);
+        return patterns_ && (light.profile || light.cookie) ? patterns_->factor(light, direction)
+                                                            : vec3(1);
     }
     /// Of a unit direction to where nothing is.
     vec3 sky(const vec3& direction) const;
@@ -37,7 +38,9 @@ public:
 
 private:
     void makeTable(const BakeLighting& lighting, JobSystem& jobs);
-    vec3 toTable(const vec3& d) const { return {turn_.x * d.x - turn_.y * d.z, d.y, turn_.y * d.x + turn_.x * d.z}; }
+    vec3 toTable(const vec3& d) const {
+        return {turn_.x * d.x - turn_.y * d.z, d.y, turn_.y * d.x + turn_.x * d.z};
+    }
     uint32_t texelOf(const vec3& tableDirection) const;
 
     std::vector<DirectionalLight> suns_;  // directions of unit length

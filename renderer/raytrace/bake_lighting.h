@@ -12,9 +12,9 @@ struct BakeLighting {
     std::span<const DirectionalLight> directional = {};
     std::span<const PunctualLight> punctual = {};
     std::span<const AreaLight> area = {};
-    const LightPatternSet* patterns =
-        nullptr;                       ///< of those; must outlive the BakeLight; null: none has any
-    EnvironmentDesc environment = {};  ///< no pixels: the hemisphere below
+    const LightPatternSet* patterns = nullptr;  ///< of those; must outlive the BakeLight; null:
+                                                ///< none has any
+    EnvironmentDesc environment = {};           ///< no pixels: the hemisphere below
     float environmentRotation = 0;
     float environmentIntensity = 1;
     vec3 ambientSky{0}, ambientGround{0};  ///< as in Lighting

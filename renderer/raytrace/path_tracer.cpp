@@ -2,7 +2,7 @@
 
 #include "interop/brdf.h"
 #include "interop/tonemap.h"
-#include "renderer/frame/vertex_packing.h"
+#include "renderer/geometry/vertex_packing.h"
 #include "renderer/raytrace/area_sampling.h"
 
 #include <algorithm>
@@ -12,30 +12,30 @@ namespace rushlight {
 
 struct PathTracer::Surface {
     vec3 origin;  // off the surface
-    // Geometric, on the side the path came from: it loses no energy where a smooth normal points away from a coarse
-    // triangle, and what is gathered is smooth anyway.
+    // Geometric, on the side the path came from: it loses no energy where a smooth normal points
+    // away from a coarse triangle, and what is gathered is smooth anyway.
     vec3 normal;
     vec3 albedo;
 };
 
 namespace {
 
-constexpr uint32_t kSureBounces = 2;     // before paths may end by chance
+constexpr uint32_t kSureBounces = 2;  // before paths may end by chance
 constexpr float kMostSurvival = 0.95f;
-
 
 vec3 hemisphericalAlbedo(const RaySurface& s, float nDotV, const BrdfTable& table) {
     const vec3 f0 = glm::mix(vec3(interop::kDielectricF0), s.baseColor, s.metallic);
     const vec2 split = table.lookUp(nDotV, interop::clampRoughness(s.roughness));
-    const interop::EnvironmentWeights w =
-        interop::environmentWeights(s.baseColor * (1 - s.metallic), f0, split);
+    const interop::EnvironmentWeights w = interop::environmentWeights(
+        s.baseColor * (1 - s.metallic), f0, split);
     return glm::clamp(w.diffuse + w.specular, vec3(0), vec3(1));
 }
 
 vec3 cosineDirection(const vec3& normal, RayRandom& random) {
     const float r = std::sqrt(random.next()), phi = 2 * kPi * random.next();
     const vec3 tangent = perpendicular(normal);
-    const vec3 d = tangent * (r * std::cos(phi)) + glm::cross(normal, tangent) * (r * std::sin(phi)) +
+    const vec3 d = tangent * (r * std::cos(phi)) +
+                   glm::cross(normal, tangent) * (r * std::sin(phi)) +
                    normal * std::sqrt(std::max(0.0f, 1 - r * r));
     return glm::normalize(d);
 }
@@ -78,7 +78,8 @@ vec3 PathTracer::lampLight(const Surface& s, RayRandom& random) const {
     return sum + punctualLight(s, random) + areaLight(s, random);
 }
 
-// Irradiance of all lamps, by one shadow ray: a light is drawn by what it would give if nothing were in between.
+// Irradiance of all lamps, by one shadow ray: a light is drawn by what it would give if nothing
+// were in between.
 vec3 PathTracer::punctualLight(const Surface& s, RayRandom& random) const {
     DrawnLight drawn(random);
     vec3 towards(0);
@@ -90,19 +91,19 @@ vec3 PathTracer::punctualLight(const Surface& s, RayRandom& random) const {
         const vec3 l = to / std::sqrt(std::max(distance2, 1e-8f));
         const float cosine = glm::dot(s.normal, l);
         if (cosine <= 0) continue;
-        float attenuation =
-            interop::distanceAttenuation(distance2, interop::inverseRangeSquared(light.range));
+        float attenuation = interop::distanceAttenuation(distance2,
+                                                         interop::inverseRangeSquared(light.range));
         if (light.outerConeAngle >= 0)
             attenuation *= interop::spotAttenuation(
                 -glm::dot(l, light.direction),
                 interop::spotScaleOffset(light.innerConeAngle, light.outerConeAngle));
-        if (!drawn.offer(light.intensity * light_.pattern(light, -l) * (attenuation * cosine))) continue;
+        if (!drawn.offer(light.intensity * light_.pattern(light, -l) * (attenuation * cosine)))
+            continue;
         towards = l;
         distance = std::sqrt(distance2);
     }
     if (!drawn) return vec3(0);
-    return drawn.irradiance() *
-           scene_.transmittance({s.origin, towards, 0, distance * 0.9999f});
+    return drawn.irradiance() * scene_.transmittance({s.origin, towards, 0, distance * 0.9999f});
 }
 
 // As punctualLight: of a point on each light one is drawn by what it would give.
@@ -120,7 +121,8 @@ vec3 PathTracer::areaLight(const Surface& s, RayRandom& random) const {
 }
 
 // What stands for an area light shines already as that light.
-vec3 PathTracer::glow(const RaySurface& surface, const vec3& position, const vec3& direction) const {
+vec3 PathTracer::glow(const RaySurface& surface, const vec3& position,
+                      const vec3& direction) const {
     const vec3 color = surface.unlit ? surface.baseColor : surface.emissive;
     if (color == vec3(0)) return color;
     for (const AreaLight& light : light_.area())
@@ -156,7 +158,8 @@ vec3 PathTracer::radiance(const vec3& origin, const vec3& direction, float densi
 
         Surface s;
         s.normal = hit.front ? hit.geometricNormal : -hit.geometricNormal;
-        const float nDotV = std::clamp(-glm::dot(s.normal, ray.direction), interop::kMinNdotV, 1.0f);
+        const float nDotV = std::clamp(-glm::dot(s.normal, ray.direction), interop::kMinNdotV,
+                                       1.0f);
         s.albedo = hemisphericalAlbedo(surface, nDotV, table_);
         s.origin = offsetOrigin(hit.position, s.normal);
         const vec3 outgoing = throughput * s.albedo;
@@ -169,8 +172,8 @@ vec3 PathTracer::radiance(const vec3& origin, const vec3& direction, float densi
 
         throughput = outgoing;
         if (bounce >= kSureBounces) {
-            const float survival =
-                std::min(std::max(throughput.x, std::max(throughput.y, throughput.z)), kMostSurvival);
+            const float survival = std::min(
+                std::max(throughput.x, std::max(throughput.y, throughput.z)), kMostSurvival);
             if (!(random.next() < survival)) return sum;
             throughput /= survival;
         }

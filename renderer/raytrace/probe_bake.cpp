@@ -1,7 +1,7 @@
 #include "renderer/raytrace/probe_bake.h"
 
 #include "interop/irradiance_volume.h"
-#include "renderer/frame/brdf_table.h"
+#include "renderer/lighting/brdf_table.h"
 #include "renderer/raytrace/path_tracer.h"
 #include "renderer/raytrace/probe_distances.h"
 
@@ -17,13 +17,14 @@ constexpr float kMostRadiance = 65504;
 
 Result<void> checkSamples(uint32_t samples) {
     if (samples >= 16 && samples <= 65536) return {};
-    return fail("baked light", "there are to be " + std::to_string(samples) +
-                                   " paths a probe; 16 to 65,536 are possible.",
-                ErrorKind::wrongUse);
+    return fail(
+        "baked light",
+        "there are to be " + std::to_string(samples) + " paths a probe; 16 to 65,536 are possible.",
+        ErrorKind::wrongUse);
 }
 
-/// Radiance around a point as two bands: half the paths' worth of evenly spread directions, each path weighted against
-/// a quarter as many that aim at the bright parts of the sky.
+/// Radiance around a point as two bands: half the paths' worth of evenly spread directions, each
+/// path weighted against a quarter as many that aim at the bright parts of the sky.
 IrradianceProbe gather(const PathTracer& tracer, const vec3& position, uint32_t samples,
                        uint64_t seed) {
     IrradianceProbe probe;
@@ -77,7 +78,8 @@ void regather(const PathTracer& tracer, IrradianceVolume& volume, uint32_t index
     volume.setProbe(index, now);
 }
 
-/// Gives probes without a place of their own the mean of their neighbours, from the outermost inwards.
+/// Gives probes without a place of their own the mean of their neighbours, from the outermost
+/// inwards.
 void fillHidden(IrradianceVolume& volume, std::vector<uint8_t> has) {
     const ProbeGrid& g = volume.grid;
     for (bool more = true; more;) {
@@ -119,11 +121,15 @@ Result<ProbeGrid> placeProbes(const Aabb& bounds, float spacing) {
     if (bounds.isEmpty() || !std::isfinite(glm::length(size)))
         return fail("baked light", "there is nothing to place probes in: the scene is empty.");
     if (!std::isfinite(spacing) || spacing < 0)
-        return fail("baked light", "the spacing of the probes is " + std::to_string(spacing) +
-                                       " m; it must be positive.", ErrorKind::wrongUse);
+        return fail(
+            "baked light",
+            "the spacing of the probes is " + std::to_string(spacing) + " m; it must be positive.",
+            ErrorKind::wrongUse);
     const glm::dvec3 extent = glm::max(glm::dvec3(size), glm::dvec3(1e-3));
     double step = spacing;
-    const auto countsFor = [&](double s) { return glm::max(glm::ceil(extent / s - 1e-3), glm::dvec3(1)); };
+    const auto countsFor = [&](double s) {
+        return glm::max(glm::ceil(extent / s - 1e-3), glm::dvec3(1));
+    };
     if (spacing == 0)
         for (step = std::cbrt(extent.x * extent.y * extent.z / kAutoProbes);; step *= 1.02) {
             const glm::dvec3 n = countsFor(step);
@@ -134,7 +140,8 @@ Result<ProbeGrid> placeProbes(const Aabb& bounds, float spacing) {
         return fail("baked light",
                     "probes every " + std::to_string(spacing) + " m would be " +
                         std::to_string(uint64_t(std::min(counts.x * counts.y * counts.z, 1e18))) +
-                        "; at most 65,536 are possible.", ErrorKind::wrongUse);
+                        "; at most 65,536 are possible.",
+                    ErrorKind::wrongUse);
     ProbeGrid grid;
     grid.counts = glm::uvec3(counts);
     grid.spacing = vec3(extent / counts);
@@ -145,7 +152,8 @@ Result<ProbeGrid> placeProbes(const Aabb& bounds, float spacing) {
 Result<IrradianceVolume> bakeIrradiance(const RayScene& scene, const BakeLighting& lighting,
                                         const ProbeBakeDesc& desc, JobSystem& jobs) {
     if (auto ok = checkSamples(desc.samples); !ok) return tl::unexpected(ok.error());
-    const auto grid = placeProbes(desc.bounds.isEmpty() ? scene.bounds() : desc.bounds, desc.spacing);
+    const auto grid = placeProbes(desc.bounds.isEmpty() ? scene.bounds() : desc.bounds,
+                                  desc.spacing);
     if (!grid) return tl::unexpected(grid.error());
     const auto light = BakeLight::create(lighting, jobs);
     if (!light) return tl::unexpected(light.error());
@@ -192,7 +200,9 @@ Result<IrradianceVolume> bakeIrradiance(const RayScene& scene, const BakeLightin
 }
 
 ProbeUpdater::ProbeUpdater(const RayScene& scene, IrradianceVolume volume, JobSystem& jobs)
-    : scene_(scene), jobs_(jobs), table_(std::make_unique<BrdfTable>(makeBrdfTable(jobs))),
+    : scene_(scene),
+      jobs_(jobs),
+      table_(std::make_unique<BrdfTable>(makeBrdfTable(jobs))),
       volume_(std::move(volume)) {}
 
 ProbeUpdater::~ProbeUpdater() = default;
@@ -201,8 +211,10 @@ Result<void> ProbeUpdater::update(const BakeLighting& lighting, uint32_t count, 
                                   float share) {
     if (auto ok = checkSamples(samples); !ok) return ok;
     if (!(share > 0 && share <= 1))
-        return fail("baked light", "the share of new light is " + std::to_string(share) +
-                                       "; it must be above 0 and at most 1.", ErrorKind::wrongUse);
+        return fail("baked light",
+                    "the share of new light is " + std::to_string(share) +
+                        "; it must be above 0 and at most 1.",
+                    ErrorKind::wrongUse);
     const auto light = BakeLight::create(lighting, jobs_);
     if (!light) return tl::unexpected(light.error());
     const PathTracer tracer(scene_, *light, *table_, ProbeBakeDesc{}.bounces);

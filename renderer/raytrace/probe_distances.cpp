@@ -12,9 +12,9 @@ namespace {
 
 constexpr uint32_t kPlaceRays = 128;
 constexpr uint32_t kPlaceSteps = 5;
-constexpr float kMostBacks = 0.25f;      // share of rays that meet a back
-constexpr float kClearance = 0.2f;       // of the smallest spacing, to the nearest front
-constexpr float kMostOffset = 0.45f;     // of the spacing
+constexpr float kMostBacks = 0.25f;   // share of rays that meet a back
+constexpr float kClearance = 0.2f;    // of the smallest spacing, to the nearest front
+constexpr float kMostOffset = 0.45f;  // of the spacing
 
 struct Surroundings {
     float backs = 0;  // share
@@ -92,7 +92,8 @@ ProbePlace findProbePlace(const RayScene& scene, const ProbeGrid& grid, uint32_t
     return place.open ? stepOut(scene, home, most, clearance, place) : place;
 }
 
-// The mean over a texel, of rays spread evenly in it: what is asked between texels is their bilinear mean.
+// The mean over a texel, of rays spread evenly in it: what is asked between texels is their
+// bilinear mean.
 void measureDistances(const RayScene& scene, IrradianceVolume& volume, uint32_t probe,
                       const vec3& position) {
     constexpr uint32_t kRays = 4;  // along each side of a texel
@@ -102,9 +103,11 @@ void measureDistances(const RayScene& scene, IrradianceVolume& volume, uint32_t 
         for (uint32_t i = 0; i < kRays * kRays; ++i) {
             const vec2 corner(texel % RL_PROBE_TEXELS, texel / RL_PROBE_TEXELS);
             const vec2 inside = (vec2(i % kRays, i / kRays) + 0.5f) / float(kRays);
-            const vec3 d = interop::decodeOctahedral((corner + inside) * (2.0f / RL_PROBE_TEXELS) - 1.0f);
+            const vec3 d = interop::decodeOctahedral((corner + inside) * (2.0f / RL_PROBE_TEXELS) -
+                                                     1.0f);
             RayHit hit;
-            const float distance = scene.intersect({position, d, 0, farthest}, hit) ? hit.distance : farthest;
+            const float distance = scene.intersect({position, d, 0, farthest}, hit) ? hit.distance
+                                                                                    : farthest;
             sum += distance;
             squares += distance * distance;
         }

@@ -1,7 +1,7 @@
 #pragma once
 // Where a probe can be, and how far it sees.
 
-#include "renderer/frame/irradiance_volume.h"
+#include "renderer/lighting/irradiance_volume.h"
 #include "renderer/raytrace/ray_scene.h"
 
 namespace rushlight {
@@ -11,9 +11,9 @@ struct ProbePlace {
     bool open = false;  ///< false: it is inside something
 };
 
-/// A probe that mostly sees backs of surfaces is inside something and goes out by the nearest one; one that is close
-/// to a surface steps back from it. Majercik et al. 2021, "Scaling Probe-Based Real-Time Dynamic Global Illumination
-/// for Production", JCGT 10(2), section 4.
+/// A probe that mostly sees backs of surfaces is inside something and goes out by the nearest one;
+/// one that is close to a surface steps back from it. Majercik et al. 2021, "Scaling Probe-Based
+/// Real-Time Dynamic Global Illumination for Production", JCGT 10(2), section 4.
 ProbePlace findProbePlace(const RayScene& scene, const ProbeGrid& grid, uint32_t probe);
 
 /// Fills the probe's distances, at most half again a cell's diagonal each.

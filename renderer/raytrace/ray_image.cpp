@@ -1,6 +1,6 @@
 #include "renderer/raytrace/ray_image.h"
 
-#include "renderer/frame/mip_chain.h"
+#include "renderer/materials/mip_chain.h"
 
 #include <algorithm>
 #include <array>
@@ -61,7 +61,8 @@ vec2 transformUv(const TextureSlot& slot, const vec2& uv) {
 
 Result<RayImage> RayImage::create(const ImageDesc& desc) {
     const size_t pixels = size_t(desc.width) * desc.height;
-    if (pixels == 0 || desc.width > 16384 || desc.height > 16384 || desc.pixels.size() != pixels * 4)
+    if (pixels == 0 || desc.width > 16384 || desc.height > 16384 ||
+        desc.pixels.size() != pixels * 4)
         return fail("image '" + std::string(desc.label) + "'",
                     "it is " + std::to_string(desc.width) + "x" + std::to_string(desc.height) +
                         " with " + std::to_string(desc.pixels.size()) +

@@ -1,6 +1,6 @@
 #pragma once
-// An image as rays read it: colours made smaller, as a ray that gathers light sees no detail; alpha as it is, since a
-// mask decides what casts a shadow.
+// An image as rays read it: colours made smaller, as a ray that gathers light sees no detail; alpha
+// as it is, since a mask decides what casts a shadow.
 
 #include "engine/core/result.h"
 #include "renderer/frame/resource_descs.h"

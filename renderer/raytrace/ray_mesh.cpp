@@ -25,9 +25,9 @@ Result<void> check(const MeshDesc& desc) {
     for (const size_t size :
          {desc.normals.size(), desc.uv0.size(), desc.uv1.size(), desc.colors.size()})
         if (size != 0 && size != count)
-            return fail(object, "an attribute has " + std::to_string(size) +
-                                    " elements but there are " + std::to_string(count) +
-                                    " positions.",
+            return fail(object,
+                        "an attribute has " + std::to_string(size) + " elements but there are " +
+                            std::to_string(count) + " positions.",
                         ErrorKind::wrongUse);
     return {};
 }

@@ -30,7 +30,7 @@ struct RayMesh {
     Aabb bounds;
     EmbreeOwner<RTCScene> scene;
     EmbreeOwner<RTCGeometry> geometry;
-    bool dirty = true;     ///< the tree is to be built
+    bool dirty = true;      ///< the tree is to be built
     bool filtered = false;  ///< the alpha filter is set
 
     uint32_t vertexCount() const { return uint32_t(positions.size()) - 1; }

@@ -9,7 +9,8 @@
 
 namespace rushlight {
 
-/// The random numbers of one path: a function of its seed alone. O'Neill, PCG32 (pcg-random.org), 2014.
+/// The random numbers of one path: a function of its seed alone. O'Neill, PCG32 (pcg-random.org),
+/// 2014.
 class RayRandom {
 public:
     explicit RayRandom(uint64_t seed) : state_(mixBits(seed + 0x9e3779b97f4a7c15ull)) {}
@@ -26,8 +27,8 @@ private:
     uint64_t state_;
 };
 
-/// Direction `i` of `count`, spread evenly over the sphere: a spherical Fibonacci lattice. `turn` in [0, 1) rotates it
-/// about the z axis. Keinert et al. 2015, "Spherical Fibonacci Mapping".
+/// Direction `i` of `count`, spread evenly over the sphere: a spherical Fibonacci lattice. `turn`
+/// in [0, 1) rotates it about the z axis. Keinert et al. 2015, "Spherical Fibonacci Mapping".
 inline vec3 fibonacciDirection(uint32_t i, uint32_t count, float turn) {
     constexpr float kGolden = 0.61803398875f;
     const float at = float(i) * kGolden + turn;

@@ -1,6 +1,6 @@
 #include "renderer/raytrace/ray_scene.h"
 
-#include "renderer/frame/mesh_topology.h"
+#include "renderer/geometry/mesh_topology.h"
 #include "renderer/raytrace/ray_image.h"
 #include "renderer/raytrace/ray_mesh.h"
 
@@ -13,7 +13,6 @@
 
 namespace rushlight {
 namespace {
-
 
 struct Placed {
     RayMesh* mesh = nullptr;
@@ -74,8 +73,7 @@ void filterHit(const RTCFilterFunctionNArguments* args) {
 bool isFinite(const Ray& ray) {
     const vec3 sum = ray.origin + ray.direction;
     return std::isfinite(sum.x + sum.y + sum.z) && !std::isnan(ray.nearest) &&
-           !std::isnan(ray.farthest) && ray.farthest > ray.nearest &&
-           ray.direction != vec3(0);
+           !std::isnan(ray.farthest) && ray.farthest > ray.nearest && ray.direction != vec3(0);
 }
 
 void fill(const Ray& from, RTCRay& to) {
@@ -110,9 +108,10 @@ struct RayScene::State {
     Result<void> checkDevice(const char* what) const {
         const RTCError error = rtcGetDeviceError(device.get());
         if (error == RTC_ERROR_NONE) return {};
-        return fail("ray scene", std::string("Embree failed while ") + what + " (error " +
-                                     std::to_string(int(error)) +
-                                     (error == RTC_ERROR_OUT_OF_MEMORY ? ", out of memory)." : ")."));
+        return fail("ray scene",
+                    std::string("Embree failed while ") + what + " (error " +
+                        std::to_string(int(error)) +
+                        (error == RTC_ERROR_OUT_OF_MEMORY ? ", out of memory)." : ")."));
     }
     void chooseInstances(std::span<const Instance> instances);
     void buildMeshes();
@@ -147,7 +146,8 @@ RayScene::~RayScene() = default;
 
 Result<std::unique_ptr<RayScene>> RayScene::create(JobSystem& jobs) {
     auto state = std::make_unique<State>(jobs);
-    // One thread: Embree then builds where it is called, and meshes are built side by side on the host's threads.
+    // One thread: Embree then builds where it is called, and meshes are built side by side on the
+    // host's threads.
     state->device.reset(rtcNewDevice("threads=1"));
     if (!state->device)
         return fail("ray scene", "Embree could not be started (error " +
@@ -268,8 +268,8 @@ bool RayScene::State::trace(RTCScene scene, const Ray& ray, bool castersOnly, Ra
     hit.instance = p.index;
     hit.triangle = rayHit.hit.primID;
     hit.barycentrics = {rayHit.hit.u, rayHit.hit.v};
-    hit.position = transformPoint(
-        p.worldFromLocal, mesh.interpolate(mesh.positions, hit.triangle, hit.barycentrics));
+    hit.position = transformPoint(p.worldFromLocal,
+                                  mesh.interpolate(mesh.positions, hit.triangle, hit.barycentrics));
     const uint32_t* corner = &mesh.indices[size_t(hit.triangle) * 3];
     const vec3 a = mesh.positions[corner[0]];
     const vec3 face = glm::cross(mesh.positions[corner[1]] - a, mesh.positions[corner[2]] - a);
@@ -286,7 +286,8 @@ bool RayScene::State::trace(RTCScene scene, const Ray& ray, bool castersOnly, Ra
     return true;
 }
 
-// One after the other, each from beyond the last: a ray that passes exactly between two triangles may meet both.
+// One after the other, each from beyond the last: a ray that passes exactly between two triangles
+// may meet both.
 vec3 RayScene::State::colorBetween(const RayScene& scene, Ray ray, bool castersOnly) const {
     constexpr uint32_t kMostLayers = 64;
     vec3 color(1);
@@ -340,8 +341,8 @@ RaySurface RayScene::surface(const RayHit& hit) const {
         return image->second.sample(slot, uvOf(mesh, slot, hit.triangle, hit.barycentrics));
     };
     RaySurface out;
-    const vec4 base =
-        m.baseColor * texel(m.baseColorTexture) * colorOf(mesh, hit.triangle, hit.barycentrics);
+    const vec4 base = m.baseColor * texel(m.baseColorTexture) *
+                      colorOf(mesh, hit.triangle, hit.barycentrics);
     const vec4 roughMetal = texel(m.metallicRoughnessTexture);
     out.baseColor = glm::clamp(vec3(base), 0.0f, 1.0f);
     out.metallic = std::clamp(m.metallic * roughMetal.z, 0.0f, 1.0f);

@@ -1,7 +1,7 @@
 #include "renderer/replay/replay.h"
 
-#include "renderer/commands/command_stream.h"
-#include "renderer/commands/validate_commands.h"
+#include "renderer/rhi/commands/command_stream.h"
+#include "renderer/rhi/commands/validate_commands.h"
 
 #include <algorithm>
 
@@ -191,9 +191,10 @@ Result<ReadbackImage> FrameReplay::run(const ReplayOptions& options) {
     if (options.hashAttachments) collectHashes(report);
     ReadbackImage image;
     if (device_.takeReadback(kTicket, true, image)) return image;
-    return fail("frame", "Its first " + std::to_string(options.until) +
-                             " commands begin no pass with a target.",
-                ErrorKind::wrongUse);
+    return fail(
+        "frame",
+        "Its first " + std::to_string(options.until) + " commands begin no pass with a target.",
+        ErrorKind::wrongUse);
 }
 
 void FrameReplay::collectHashes(const ExecutionReport& report) {

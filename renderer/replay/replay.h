@@ -1,8 +1,8 @@
 #pragma once
 // Plays a SavedFrame on a device.
 
-#include "renderer/backend/device.h"
-#include "renderer/commands/saved_frame.h"
+#include "renderer/rhi/device.h"
+#include "renderer/rhi/saved/saved_frame.h"
 
 #include <memory>
 #include <string>
@@ -11,7 +11,8 @@
 namespace rushlight {
 
 struct ReplayOptions {
-    uint32_t until = ~0u;  ///< only so many commands, from the first; a pass that is open then is ended
+    uint32_t until = ~0u;  ///< only so many commands, from the first; a pass that is open then is
+                           ///< ended
     bool hashAttachments = false;
 };
 
@@ -23,14 +24,14 @@ struct AttachmentHash {
 
 class FrameReplay {
 public:
-    /// Makes the frame's objects on `device`, which must outlive the replay. `frame` (from decodeFrame or takeSnapshot)
-    /// must, too. An Error names the object by its label.
+    /// Makes the frame's objects on `device`, which must outlive the replay. `frame` (from
+    /// decodeFrame or takeSnapshot) must, too. An Error names the object by its label.
     static Result<std::unique_ptr<FrameReplay>> create(Device& device, const SavedFrame& frame);
     ~FrameReplay();
 
-    /// Puts the contents back and executes. The picture is that of the frame's last readback, else the frame target;
-    /// with `until` the first colour target of the pass in which it stops, or its depth. ErrorKind::wrongUse when
-    /// nothing was drawn up to there.
+    /// Puts the contents back and executes. The picture is that of the frame's last readback, else
+    /// the frame target; with `until` the first colour target of the pass in which it stops, or its
+    /// depth. ErrorKind::wrongUse when nothing was drawn up to there.
     Result<ReadbackImage> run(const ReplayOptions& options);
 
     /// Of the last run, with ReplayOptions::hashAttachments.

@@ -1,7 +1,7 @@
 #include "renderer/replay/snapshot.h"
 
-#include "renderer/commands/command_stream.h"
-#include "renderer/commands/needed_contents.h"
+#include "renderer/rhi/commands/command_stream.h"
+#include "renderer/rhi/saved/needed_contents.h"
 
 namespace rushlight {
 namespace {
@@ -27,8 +27,7 @@ public:
         return number(textures_, handle, [&] { add(handle); });
     }
     SamplerHandle map(SamplerHandle handle) {
-        return number(samplers_, handle,
-                      [&] { frame.samplers.push_back(described(handle)); });
+        return number(samplers_, handle, [&] { frame.samplers.push_back(described(handle)); });
     }
     PipelineHandle map(PipelineHandle handle) {
         return number(pipelines_, handle, [&] { add(handle); });
@@ -46,8 +45,8 @@ private:
         const BufferDesc desc = described(handle);
         std::vector<std::byte> bytes(desc.size);
         device_.read(handle, 0, bytes);
-        frame.buffers.push_back({std::string(desc.label), desc.size, desc.usage,
-                                 frame.blobs.add(std::move(bytes))});
+        frame.buffers.push_back(
+            {std::string(desc.label), desc.size, desc.usage, frame.blobs.add(std::move(bytes))});
     }
 
     void add(TextureHandle handle) {

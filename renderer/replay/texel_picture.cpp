@@ -50,8 +50,7 @@ vec4 decode(Format format, const std::byte* texel) {
         case Format::rgba16f:
             for (uint32_t c = 0; c < channels / 2; ++c) value[int(c)] = halfAt(texel, c);
             break;
-        case Format::r11g11b10f:
-            return vec4(glm::unpackF2x11_1x10(load<uint32_t>(texel)), 1);
+        case Format::r11g11b10f: return vec4(glm::unpackF2x11_1x10(load<uint32_t>(texel)), 1);
         case Format::r32f:
         case Format::rg32f:
         case Format::rgba32f:
@@ -88,14 +87,18 @@ TexelPicture exactPicture(const ReadbackImage& image, bool topRowFirst) {
     TexelPicture picture{image.width, image.height, {}, {}};
     const size_t values = size_t(image.width) * image.height * 4;
     const bool bytes = hasBytes(image.format);
-    if (bytes) picture.rgba8.resize(values);
-    else picture.rgba32f.resize(values);
+    if (bytes)
+        picture.rgba8.resize(values);
+    else
+        picture.rgba32f.resize(values);
     forEachTexel(image, topRowFirst, [&](const std::byte* texel, size_t pixel) {
         const vec4 value = decode(image.format, texel);
         for (int c = 0; c < 4; ++c) {
             const size_t at = pixel * 4 + size_t(c);
-            if (bytes) picture.rgba8[at] = toByte(value[c]);
-            else picture.rgba32f[at] = value[c];
+            if (bytes)
+                picture.rgba8[at] = toByte(value[c]);
+            else
+                picture.rgba32f[at] = value[c];
         }
     });
     return picture;
@@ -115,7 +118,8 @@ TexelPicture visiblePicture(const ReadbackImage& image, bool topRowFirst) {
         vec4 value = decode(image.format, texel);
         for (int c = 0; c < 4; ++c)
             if (std::isnan(value[c])) value[c] = 0;
-        if (grey) value = vec4(vec3(largest > 0 ? value.x / largest : 0), 1);
+        if (grey)
+            value = vec4(vec3(largest > 0 ? value.x / largest : 0), 1);
         else if (!bytes)
             value = vec4(glm::convertLinearToSRGB(glm::clamp(vec3(value), 0.0f, 1.0f)), 1);
         for (int c = 0; c < 3; ++c) picture.rgba8[pixel * 4 + size_t(c)] = toByte(value[c]);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/backend/device.h"
+#include "renderer/rhi/device.h"
 
 namespace rushlight {
 
@@ -14,8 +14,8 @@ struct TexelPicture {
 /// `image` as it is: formats of 8 bits a channel give rgba8, all others rgba32f.
 TexelPicture exactPicture(const ReadbackImage& image, bool topRowFirst);
 
-/// Something to look at: opaque, 8 bits. Colours above one are white; images of one channel are grey, from zero in
-/// black to their largest value in white (reversed depth: what is nearest).
+/// Something to look at: opaque, 8 bits. Colours above one are white; images of one channel are
+/// grey, from zero in black to their largest value in white (reversed depth: what is nearest).
 TexelPicture visiblePicture(const ReadbackImage& image, bool topRowFirst);
 
 }  // namespace rushlight

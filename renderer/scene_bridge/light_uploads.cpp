@@ -23,7 +23,8 @@ Result<void> LightUploads::create() {
 
 Result<void> LightUploads::createProfile(int index) {
     const assets::LightProfile& from = model_.lightProfiles[size_t(index)];
-    const LightProfileDesc desc{from.name, from.verticalAngles, from.horizontalAngles, from.candela};
+    const LightProfileDesc desc{from.name, from.verticalAngles, from.horizontalAngles,
+                                from.candela};
     auto pattern = LightPattern::make(desc);
     if (!pattern) return tl::unexpected(pattern.error());
     const auto handle = renderer_.createLightProfile(desc);

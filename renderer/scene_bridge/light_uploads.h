@@ -7,7 +7,8 @@
 
 namespace rushlight {
 
-/// The profiles and cookies of a model's lights in a renderer, each made once; and as rays look them up.
+/// The profiles and cookies of a model's lights in a renderer, each made once; and as rays look
+/// them up.
 class LightUploads {
 public:
     LightUploads(Renderer& renderer, const assets::Model& model)
@@ -18,8 +19,12 @@ public:
 
     Result<void> create();
     /// Of Model::lightProfiles, and of the image Model::images; null for -1.
-    LightProfileHandle profile(int index) const { return index < 0 ? LightProfileHandle{} : profiles_[size_t(index)]; }
-    LightCookieHandle cookie(int image) const { return image < 0 ? LightCookieHandle{} : cookies_[size_t(image)]; }
+    LightProfileHandle profile(int index) const {
+        return index < 0 ? LightProfileHandle{} : profiles_[size_t(index)];
+    }
+    LightCookieHandle cookie(int image) const {
+        return image < 0 ? LightCookieHandle{} : cookies_[size_t(image)];
+    }
     const LightPatternSet& patterns() const { return patterns_; }
 
 private:

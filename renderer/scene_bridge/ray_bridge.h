@@ -5,8 +5,8 @@
 
 namespace rushlight {
 
-/// What `bridge` shows, in its present pose, as a scene to shoot rays through: RayHit::instance indexes
-/// FrameInput::instances of SceneBridge::fill. `jobs` must outlive it.
+/// What `bridge` shows, in its present pose, as a scene to shoot rays through: RayHit::instance
+/// indexes FrameInput::instances of SceneBridge::fill. `jobs` must outlive it.
 Result<std::unique_ptr<RayScene>> makeRayScene(const SceneBridge& bridge, JobSystem& jobs);
 
 }  // namespace rushlight

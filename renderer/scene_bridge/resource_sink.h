@@ -5,8 +5,8 @@
 
 namespace rushlight {
 
-/// Gets the descriptions of resources that a Renderer has, under the renderer's handles. Spans are good during the
-/// call; an Error ends the walk.
+/// Gets the descriptions of resources that a Renderer has, under the renderer's handles. Spans are
+/// good during the call; an Error ends the walk.
 class ResourceSink {
 public:
     virtual ~ResourceSink() = default;

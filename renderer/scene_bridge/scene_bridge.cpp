@@ -29,7 +29,8 @@ MeshDesc meshDesc(const assets::Geometry& geometry) {
 }  // namespace
 
 struct SceneBridge::State {
-    State(Renderer& r, const assets::Model& m) : renderer(r), model(m), materials(r, m), uploads(r, m) {}
+    State(Renderer& r, const assets::Model& m)
+        : renderer(r), model(m), materials(r, m), uploads(r, m) {}
     ~State() {
         for (MeshHandle mesh : meshes) renderer.destroy(mesh);
         for (EnvironmentHandle captured : environments) renderer.destroy(captured);
@@ -50,9 +51,9 @@ struct SceneBridge::State {
     Renderer& renderer;
     const assets::Model& model;
     MaterialUploads materials;
-    LightUploads uploads;  ///< of profiles and cookies
-    std::vector<MeshHandle> meshes;    ///< all that are to be destroyed
-    std::vector<uint32_t> meshOf;      ///< as `drawables`: which of `meshes`
+    LightUploads uploads;            ///< of profiles and cookies
+    std::vector<MeshHandle> meshes;  ///< all that are to be destroyed
+    std::vector<uint32_t> meshOf;    ///< as `drawables`: which of `meshes`
 
     scene::Pose now;
     int animation = -1;
@@ -64,8 +65,8 @@ struct SceneBridge::State {
     std::vector<mat4x3> previousTransforms;  ///< as `instances`
     SceneLights lights;
     std::vector<std::string> notes;
-    std::vector<ReflectionProbe> probes;  ///< where nodes have them
-    std::vector<CaptureDesc> captures;    ///< as `probes`
+    std::vector<ReflectionProbe> probes;          ///< where nodes have them
+    std::vector<CaptureDesc> captures;            ///< as `probes`
     std::vector<EnvironmentHandle> environments;  ///< as `probes`; empty: not captured yet
     scene::DeformedVertices scratch;
 };
@@ -168,7 +169,8 @@ Result<void> SceneBridge::State::setPose(scene::Pose pose) {
     return {};
 }
 
-// A probe that an animation scales to nothing, or back, changes their number; then they are to be captured anew.
+// A probe that an animation scales to nothing, or back, changes their number; then they are to be
+// captured anew.
 void SceneBridge::State::placeProbes() {
     probes = reflectionProbesOf(model, nodes, now.worldFromNode, captures, notes);
     if (environments.size() != probes.size()) {
@@ -240,8 +242,8 @@ Result<void> SceneBridge::State::captureAgain(const FrameInput& seen) {
     return {};
 }
 
-// First as they are without any probes, then with the light that these give: what a mirror shows of a room would else be
-// darker than the room is.
+// First as they are without any probes, then with the light that these give: what a mirror shows of
+// a room would else be darker than the room is.
 Result<void> SceneBridge::captureReflections(const FrameInput& input) {
     State& s = *state_;
     FrameInput seen = input;

@@ -32,8 +32,8 @@ public:
     /// when something changed.
     Result<void> pose(int animation, float seconds);
 
-    /// Fills the instances, previous transforms, lights and captured reflection probes. The spans are good until the next
-    /// pose().
+    /// Fills the instances, previous transforms, lights and captured reflection probes. The spans
+    /// are good until the next pose().
     void fill(FrameInput& input) const;
 
     /// Hands over what the renderer was given, deformed meshes in their present pose.
@@ -43,9 +43,10 @@ public:
     /// Profiles and cookies of its lights, for rays.
     const LightPatternSet& lightPatterns() const;
 
-    /// Captures the light around the nodes that have reflection probes, in the present pose, as `input` lights it: what
-    /// fill() gave, and what else a frame has. Before the first time fill() gives no probes; a later time captures anew.
-    /// Two bounces: each is captured twice, with six frames and a prefiltering.
+    /// Captures the light around the nodes that have reflection probes, in the present pose, as
+    /// `input` lights it: what fill() gave, and what else a frame has. Before the first time fill()
+    /// gives no probes; a later time captures anew. Two bounces: each is captured twice, with six
+    /// frames and a prefiltering.
     Result<void> captureReflections(const FrameInput& input);
     bool hasReflectionProbes() const;
 

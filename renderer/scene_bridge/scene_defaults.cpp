@@ -7,8 +7,8 @@ namespace rushlight {
 
 View viewThatFrames(const Aabb& bounds, float verticalFov, float aspect) {
     const vec3 center = bounds.isEmpty() ? vec3(0) : bounds.center();
-    const float radius =
-        bounds.isEmpty() ? 1.0f : std::max(glm::length(bounds.halfExtent()), 1e-4f);
+    const float radius = bounds.isEmpty() ? 1.0f
+                                          : std::max(glm::length(bounds.halfExtent()), 1e-4f);
     const float halfVertical = verticalFov / 2;
     const float half = std::min(halfVertical, std::atan(std::tan(halfVertical) * aspect));
     const float distance = radius / std::sin(half);

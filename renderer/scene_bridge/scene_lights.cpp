@@ -22,7 +22,8 @@ void addPatterns(const assets::Light& from, const LightUploads& uploads, const m
     light.up = vec3(world[1]);
 }
 
-PunctualLight punctualOf(const assets::Light& from, const LightUploads& uploads, const mat4& world) {
+PunctualLight punctualOf(const assets::Light& from, const LightUploads& uploads,
+                         const mat4& world) {
     PunctualLight light;
     light.position = vec3(world[3]);
     light.intensity = from.color * from.intensity;
@@ -72,8 +73,9 @@ void limit(std::vector<Light>& lights, uint32_t most, const char* kind,
 
 }  // namespace
 
-SceneLights lightsOf(const assets::Model& model, const LightUploads& uploads, const std::vector<int>& nodes,
-                     const std::vector<mat4>& world, std::vector<std::string>& notes) {
+SceneLights lightsOf(const assets::Model& model, const LightUploads& uploads,
+                     const std::vector<int>& nodes, const std::vector<mat4>& world,
+                     std::vector<std::string>& notes) {
     SceneLights lights;
     for (int node : nodes) {
         const int index = model.nodes[size_t(node)].light;

@@ -1,7 +1,7 @@
 #include "renderer/scene_bridge/scene_surroundings.h"
 
-#include "renderer/frame/cube_image.h"
-#include "renderer/frame/equirect.h"
+#include "renderer/lighting/environment/cube_image.h"
+#include "renderer/lighting/environment/equirect.h"
 
 #include <algorithm>
 
@@ -62,9 +62,11 @@ std::vector<ReflectionProbe> reflectionProbesOf(const assets::Model& model,
         probe.blend = from.blend * scale;
         probe.intensity = from.intensity;
         const bool sheared = std::abs(glm::determinant(axes) - 1) > 1e-3f;
-        if (sheared || probes.size() == kMaxReflectionProbes || !checkReflectionProbes({&probe, 1})) {
-            notes.push_back("The reflection probe of node " + std::to_string(from.node) +
-                            " is left out: its box is sheared or has no size, or there are over 256.");
+        if (sheared || probes.size() == kMaxReflectionProbes ||
+            !checkReflectionProbes({&probe, 1})) {
+            notes.push_back(
+                "The reflection probe of node " + std::to_string(from.node) +
+                " is left out: its box is sheared or has no size, or there are over 256.");
             continue;
         }
         CaptureDesc capture;

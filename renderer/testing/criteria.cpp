@@ -17,6 +17,7 @@ fs::path findSourceFile(const fs::path& name) {
 
 GoldenPath::GoldenPath(const fs::path& path, std::source_location where)
     : text(path.is_absolute() ? path.string()
-                              : (findSourceFile(where.file_name()).parent_path() / path).string()) {}
+                              : (findSourceFile(where.file_name()).parent_path() / path).string()) {
+}
 
 }  // namespace rushlight::golden

@@ -76,14 +76,15 @@ Result<void> EvidenceWriter::write(const Frame& frame, const Verdict& verdict,
     if (auto cleared = clear(); !cleared) return cleared;
     const auto hash = hashOfFile(verdict.golden);
     if (!hash) return tl::unexpected(hash.error());
-    const ordered_json json = {{"version", kVersion},
-                               {"golden", fs::path(verdict.golden).lexically_proximate(folder_).string()},
-                               {"golden_hash", *hash},
-                               {"actual", actualName(frame)},
-                               {"passed", verdict.passed}};
+    const ordered_json json = {
+        {"version", kVersion},
+        {"golden", fs::path(verdict.golden).lexically_proximate(folder_).string()},
+        {"golden_hash", *hash},
+        {"actual", actualName(frame)},
+        {"passed", verdict.passed}};
     // The file that names the others comes first: what is there without it would never be removed.
-    const std::string text =
-        json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    const std::string text = json.dump(2, ' ', false, ordered_json::error_handler_t::replace) +
+                             "\n";
     if (auto ok = writeFile(path(kEvidenceFile), text); !ok) return ok;
     if (auto ok = saveActual(path(actualName(frame)), frame); !ok) return ok;
     if (!hash->empty()) {
@@ -136,7 +137,8 @@ Result<Evidence> readEvidence(const std::string& folder) {
     evidence.folder = folder;
     evidence.name = fs::path(folder).filename().string();
     const std::string golden = textAt("golden");
-    if (!golden.empty()) evidence.golden = (fs::absolute(folder) / golden).lexically_normal().string();
+    if (!golden.empty())
+        evidence.golden = (fs::absolute(folder) / golden).lexically_normal().string();
     evidence.goldenHash = textAt("golden_hash");
     const std::string actual = textAt("actual");
     evidence.linear = actual == "actual.exr";

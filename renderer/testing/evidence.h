@@ -1,11 +1,10 @@
 #pragma once
 // The folder that a verdict leaves behind:
-//     evidence.json  which golden it is about, as a path from here, and what that was when the frame was judged
-//     actual.png     what was rendered (.exr if linear); becomes the golden where it is accepted
-//     golden.png     a copy of the golden's file
-//     error.png      the largest difference of the values of every pixel, as heat
-//     heat.png       the FLIP error of every pixel, as heat
-//     breakdown/     the frame taken apart
+//     evidence.json  which golden it is about, as a path from here, and what that was when the
+//     frame was judged actual.png     what was rendered (.exr if linear); becomes the golden where
+//     it is accepted golden.png     a copy of the golden's file error.png      the largest
+//     difference of the values of every pixel, as heat heat.png       the FLIP error of every
+//     pixel, as heat breakdown/     the frame taken apart
 
 #include "renderer/testing/verdict.h"
 
@@ -37,8 +36,8 @@ private:
 struct Evidence {
     std::string folder, name;
     std::string golden, actual;  ///< files
-    std::string
-        goldenHash;  ///< of the golden's bytes when the frame was judged; empty: there was none
+    std::string goldenHash;  ///< of the golden's bytes when the frame was judged; empty: there was
+                             ///< none
     bool linear = false;
     bool passed = false;
 };

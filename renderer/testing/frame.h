@@ -1,7 +1,7 @@
 #pragma once
 // Pictures to be judged: of hosts, which bring pixels, and of an offscreen renderer of one's own.
 
-#include "renderer/capture/breakdown.h"
+#include "renderer/capture/breakdown/breakdown.h"
 #include "renderer/context/context.h"
 #include "renderer/renderer.h"
 #include "renderer/testing/scene_frames.h"

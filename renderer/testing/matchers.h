@@ -15,8 +15,8 @@ inline EvidenceOptions evidenceOfThisTest(const std::string& golden) {
     EvidenceOptions options;
     const std::string stem = std::filesystem::path(golden).stem().string();
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    options.name =
-        test ? std::string(test->test_suite_name()) + "." + test->name() + "." + stem : stem;
+    options.name = test ? std::string(test->test_suite_name()) + "." + test->name() + "." + stem
+                        : stem;
     return options;
 }
 

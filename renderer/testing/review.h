@@ -23,9 +23,9 @@ const char* toText(Change change);
 struct Review {
     Evidence evidence;
     Change change = Change::none;
-    std::optional<Figures>
-        figures;  ///< the golden against what was rendered; none where they cannot be compared
-    std::string problem;  ///< a sentence where something is to be said
+    std::optional<Figures> figures;  ///< the golden against what was rendered; none where they
+                                     ///< cannot be compared
+    std::string problem;             ///< a sentence where something is to be said
 };
 
 /// All evidence in a folder and below, by name. Errors: there is none (badInput), or a file of it

@@ -16,8 +16,8 @@ Result<std::unique_ptr<SceneFrames>> SceneFrames::open(Renderer& renderer, const
     auto bridge = SceneBridge::create(renderer, frames->model_);
     if (!bridge) return tl::unexpected(bridge.error());
     frames->bridge_ = std::move(*bridge);
-    const auto loaded =
-        environment.empty() ? frames->loadSurroundings() : frames->loadEnvironment(environment);
+    const auto loaded = environment.empty() ? frames->loadSurroundings()
+                                            : frames->loadEnvironment(environment);
     if (!loaded) return tl::unexpected(loaded.error());
     if (!frames->bridge_->hasReflectionProbes()) return frames;
     FrameInput input;
@@ -52,8 +52,8 @@ Result<void> SceneFrames::loadEnvironment(const std::string& path) {
 
 Result<void> SceneFrames::loadSurroundings() {
     if (!model_.imageBasedLight) return {};
-    const auto created =
-        renderer_.createPrefilteredEnvironment(environmentOf(*model_.imageBasedLight));
+    const auto created = renderer_.createPrefilteredEnvironment(
+        environmentOf(*model_.imageBasedLight));
     if (!created) return tl::unexpected(created.error());
     environment_ = *created;
     environmentIntensity_ = model_.imageBasedLight->intensity;

@@ -19,13 +19,14 @@ struct SceneView {
     FrameSettings settings;
 };
 
-/// A scene file in a renderer, with the image-based light and the reflection probes that the file has; without lights and
-/// environment it gets those of scene_defaults.h. Baked light, which lies in a file beside it, is not used: `rushlight
-/// check` knows it.
+/// A scene file in a renderer, with the image-based light and the reflection probes that the file
+/// has; without lights and environment it gets those of scene_defaults.h. Baked light, which lies
+/// in a file beside it, is not used: `rushlight check` knows it.
 class SceneFrames {
 public:
-    /// Loads and uploads the scene; `environment` is an .hdr or .exr file, or empty: the file's own, if it has one.
-    /// Reflection probes are captured now, in the scene's first pose. `renderer` must outlive this.
+    /// Loads and uploads the scene; `environment` is an .hdr or .exr file, or empty: the file's
+    /// own, if it has one. Reflection probes are captured now, in the scene's first pose.
+    /// `renderer` must outlive this.
     static Result<std::unique_ptr<SceneFrames>> open(Renderer& renderer, const std::string& scene,
                                                      const std::string& environment);
     ~SceneFrames();

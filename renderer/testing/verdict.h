@@ -2,7 +2,7 @@
 // A frame against its golden picture: figures, limits, and what is left behind where they are not
 // met.
 
-#include "renderer/capture/compare.h"
+#include "renderer/capture/compare/compare.h"
 #include "renderer/testing/criteria.h"
 #include "renderer/testing/frame.h"
 
@@ -32,8 +32,8 @@ struct EvidenceOptions {
     std::string folder = {};  ///< empty: evidenceFolder()
     std::string name = {};    ///< empty: that of the golden without its extension
     bool always = false;      ///< also where the frame passes; so does RUSHLIGHT_EVIDENCE_ALWAYS=1
-    bool breakdown =
-        true;  ///< of a frame that is too far from its golden, where it can be taken apart
+    bool breakdown = true;    ///< of a frame that is too far from its golden, where it can be taken
+                              ///< apart
 };
 
 /// The environment's RUSHLIGHT_EVIDENCE, else `rushlight-evidence` beside the program that runs.
@@ -46,8 +46,8 @@ struct Verdict {
     std::optional<Figures> figures;  ///< none where there is nothing to compare with
     std::string problem;             ///< then, why: a sentence
     std::string evidence;            ///< the folder that was written; empty: none
-    std::string
-        evidenceProblem;  ///< why evidence is not complete; empty: it is, or none was wanted
+    std::string evidenceProblem;     ///< why evidence is not complete; empty: it is, or none was
+                                     ///< wanted
 
     /// What a test says: each figure with its limit, what was left behind where, and how to accept
     /// it. Some lines.

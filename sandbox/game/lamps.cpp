@@ -12,8 +12,8 @@ constexpr float kPilotLight = 0.015f;  // of a lamp that does not burn: a last g
 
 /// A random number in [-1, 1] for each whole `at`.
 float noiseAt(uint32_t seed, int64_t at) {
-    const uint64_t bits =
-        mixBits(mixBits(uint64_t(at)) ^ (uint64_t(seed) + 1) * 0x9e3779b97f4a7c15ull);
+    const uint64_t bits = mixBits(mixBits(uint64_t(at)) ^
+                                  (uint64_t(seed) + 1) * 0x9e3779b97f4a7c15ull);
     return float(double(bits >> 11) / double(1ull << 52)) - 1;
 }
 
@@ -78,8 +78,9 @@ void Lamps::lightAll(double time) {
 void Lamps::apply(std::span<PunctualLight> lights, double time) const {
     for (size_t i = 0; i < lamps_.size(); ++i) {
         const Lamp& lamp = lamps_[i];
-        const float kindled =
-            lamp.lit ? std::clamp(float(time - lamp.litAt) / kKindleTime, 0.0f, 1.0f) : 0.0f;
+        const float kindled = lamp.lit
+                                  ? std::clamp(float(time - lamp.litAt) / kKindleTime, 0.0f, 1.0f)
+                                  : 0.0f;
         const float glow = std::max(kPilotLight, kindled * kindled) * flicker(uint32_t(i), time);
         lights[lamp.light].intensity *= glow;
     }

@@ -22,9 +22,9 @@ struct Lamp {
 
 class Lamps {
 public:
-    static constexpr float kReach = 3.2f;  // metres from the eyes to the lamp, measured level
-    static constexpr float kTogether =
-        1.3f;  // metres farther, for what goes on with a lamp in reach
+    static constexpr float kReach = 3.2f;       // metres from the eyes to the lamp, measured level
+    static constexpr float kTogether = 1.3f;    // metres farther, for what goes on with a lamp in
+                                                // reach
     static constexpr float kKindleTime = 0.8f;  // seconds until a lamp burns fully
 
     /// Keeps burning what burnt and is still there. Lights whose name begins with "lamp" are lamps.

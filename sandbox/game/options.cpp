@@ -11,7 +11,7 @@
 namespace rushlight {
 namespace {
 
-constexpr uint32_t kMaxSide = 16384;  // pixels
+constexpr uint32_t kMaxSide = 16384;    // pixels
 constexpr float kDuskExposure = 1.35f;  // shade is readable, the lamps keep their colour
 
 /// "1280x720"
@@ -55,9 +55,9 @@ void addViewOptions(CLI::App& app, ViewerOptions& viewer) {
                                                    {"high", Quality::high},
                                                    {"ultra", Quality::ultra}};
     app.add_option_function<Quality>(
-           "--quality",
-           [&viewer](Quality quality) { setQuality(viewer.settings, quality); },
-           "low, medium, high or ultra: what a frame may cost; the lamps cast shadows from medium on")
+           "--quality", [&viewer](Quality quality) { setQuality(viewer.settings, quality); },
+           "low, medium, high or ultra: what a frame may cost; the lamps cast shadows from medium "
+           "on")
         ->transform(CLI::CheckedTransformer(qualities))
         ->default_str("medium");
     const std::map<std::string, ToneMap> toneMaps{{"none", ToneMap::none},
@@ -67,7 +67,8 @@ void addViewOptions(CLI::App& app, ViewerOptions& viewer) {
     app.add_option("--tonemap", viewer.settings.toneMap, "none, neutral, agx or aces")
         ->transform(CLI::CheckedTransformer(toneMaps))
         ->default_str("neutral");
-    app.add_option("--exposure-scale", viewer.settings.exposureScale, "linear factor on radiance (1.35)")
+    app.add_option("--exposure-scale", viewer.settings.exposureScale,
+                   "linear factor on radiance (1.35)")
         ->check(CLI::PositiveNumber);
     app.add_option("--environment", viewer.environment,
                    "panorama (.hdr, .exr) that lights the level and is its sky; default: "
@@ -90,10 +91,10 @@ void addTestOptions(CLI::App& app, ViewerOptions& viewer) {
     app.add_option("--screenshot", viewer.screenshot,
                    "write the last frame's picture (.png, .jpg) and end; without --frames or a "
                    "script after one frame");
-    auto* script =
-        app.add_option("--script", viewer.script,
-                       "play keys and mouse from a file: lines 'FRAME press|release|tap "
-                       "KEY', 'FRAME look X Y', 'FRAME turn FRAMES X Y', 'FRAME scroll N'");
+    auto* script = app.add_option(
+        "--script", viewer.script,
+        "play keys and mouse from a file: lines 'FRAME press|release|tap "
+        "KEY', 'FRAME look X Y', 'FRAME turn FRAMES X Y', 'FRAME scroll N'");
     app.add_flag("--walk-demo", viewer.walkDemo, "play the built-in script: once around the square")
         ->excludes(script);
 }

@@ -34,8 +34,8 @@ std::string describe(const InstanceFacts& object, const RenderSetup& setup) {
     std::string text = quotedOr(names.node, "object", object.index) + " (instance " +
                        std::to_string(object.index) + "), mesh " +
                        quotedOr(names.mesh, "number", object.instance.mesh.index()) + " level " +
-                       std::to_string(object.lod) + " of " + std::to_string(object.lodCount) + " (" +
-                       std::to_string(object.triangles) + " triangles), material ";
+                       std::to_string(object.lod) + " of " + std::to_string(object.lodCount) +
+                       " (" + std::to_string(object.triangles) + " triangles), material ";
     return text + (names.material.empty() ? "without a name" : "\"" + names.material + "\"");
 }
 
@@ -43,7 +43,8 @@ void row(const std::string& name, const vec3& v, const std::string& note = {}) {
     std::string line = "  " + name;
     line.resize(std::max<size_t>(line.size() + 1, 28), ' ');
     char numbers[64];
-    std::snprintf(numbers, sizeof numbers, "%11.5f %11.5f %11.5f", double(v.r), double(v.g), double(v.b));
+    std::snprintf(numbers, sizeof numbers, "%11.5f %11.5f %11.5f", double(v.r), double(v.g),
+                  double(v.b));
     std::printf("%s%s%s%s\n", line.c_str(), numbers, note.empty() ? "" : "   ", note.c_str());
 }
 
@@ -67,19 +68,20 @@ void printSurface(const PixelExplanation& p, const RenderSetup& setup) {
     std::printf("drawn     %s\n", s.object ? describe(*s.object, setup).c_str() : "an object");
     std::printf("at        (%.3f, %.3f, %.3f), %.3f m before the camera\n", double(s.position.x),
                 double(s.position.y), double(s.position.z), double(s.viewDepth));
-    std::printf("surface   base colour (%.3f, %.3f, %.3f), metallic %.2f, roughness %.2f, "
-                "normal (%.2f, %.2f, %.2f), occlusion %.2f\n",
-                double(s.baseColor.r), double(s.baseColor.g), double(s.baseColor.b), double(s.metallic),
-                double(s.roughness), double(s.normal.x), double(s.normal.y), double(s.normal.z),
-                double(s.occlusion));
+    std::printf(
+        "surface   base colour (%.3f, %.3f, %.3f), metallic %.2f, roughness %.2f, "
+        "normal (%.2f, %.2f, %.2f), occlusion %.2f\n",
+        double(s.baseColor.r), double(s.baseColor.g), double(s.baseColor.b), double(s.metallic),
+        double(s.roughness), double(s.normal.x), double(s.normal.y), double(s.normal.z),
+        double(s.occlusion));
 }
 
 ordered_json json(const vec3& v) { return {v.x, v.y, v.z}; }
 
 ordered_json json(const InstanceFacts& object, const RenderSetup& setup) {
     const ObjectNames names = setup.objectNames(object.instance.id);
-    return {{"instance", object.index}, {"node", names.node},       {"mesh", names.mesh},
-            {"material", names.material}, {"lod", object.lod},      {"lods", object.lodCount},
+    return {{"instance", object.index},     {"node", names.node}, {"mesh", names.mesh},
+            {"material", names.material},   {"lod", object.lod},  {"lods", object.lodCount},
             {"triangles", object.triangles}};
 }
 
@@ -92,9 +94,11 @@ void printExplanation(const PixelExplanation& p, const RenderSetup& setup, uvec2
     std::printf("\n  %-26s%11s %11s %11s\n", "radiance", "red", "green", "blue");
     rowUnlessZero("background", p.background);
     for (const LightShare& light : p.lights)
-        row(nameOf(light), light.radiance, light.shadow < 0.9995f ? percent("in shadow by", 1 - light.shadow) : "");
-    const std::string open =
-        p.ambientVisibility < 0.9995f ? percent("occluded by", 1 - p.ambientVisibility) : "";
+        row(nameOf(light), light.radiance,
+            light.shadow < 0.9995f ? percent("in shadow by", 1 - light.shadow) : "");
+    const std::string open = p.ambientVisibility < 0.9995f
+                                 ? percent("occluded by", 1 - p.ambientVisibility)
+                                 : "";
     rowUnlessZero("ambient, diffuse", p.ambientDiffuse, open);
     rowUnlessZero("ambient, mirrored", p.ambientSpecular);
     rowUnlessZero("emitted or unlit", p.emissive);
@@ -121,7 +125,7 @@ ordered_json explanationJson(const PixelExplanation& p, const RenderSetup& setup
     if (p.surface) {
         const PixelSurface& s = *p.surface;
         if (s.object) j["drawn"] = json(*s.object, setup);
-        j["surface"] = {{"position", json(s.position)},   {"view_depth", s.viewDepth},
+        j["surface"] = {{"position", json(s.position)},    {"view_depth", s.viewDepth},
                         {"base_color", json(s.baseColor)}, {"metallic", s.metallic},
                         {"roughness", s.roughness},        {"normal", json(s.normal)},
                         {"occlusion", s.occlusion}};

@@ -17,8 +17,8 @@ Result<CapturedImage> renderFrame(RenderSetup& setup, const FrameInput& input, u
     times.allocations = allocationCount() - allocations;
     if (!ticket) return tl::unexpected(ticket.error());
     renderer.finish();
-    const std::chrono::duration<double, std::milli> elapsed =
-        std::chrono::steady_clock::now() - start;
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() -
+                                                              start;
     times.wallMs = elapsed.count();
     CapturedImage image;
     const bool taken = renderer.takeCapture(*ticket, true, image);

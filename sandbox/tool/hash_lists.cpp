@@ -22,14 +22,15 @@ struct HashLine {
 Result<std::vector<HashLine>> readHashes(const std::string& path) {
     std::ifstream file(path);
     if (!file)
-        return fail(path, "The file could not be read (" +
-                              std::generic_category().message(errno) + ").");
+        return fail(path,
+                    "The file could not be read (" + std::generic_category().message(errno) + ").");
     std::vector<HashLine> lines;
     for (std::string text; std::getline(file, text);) {
         const size_t space = text.rfind(' ');
         const bool good = space != std::string::npos && space > 0 &&
                           text.size() == space + 1 + kDigits &&
-                          text.find_first_not_of("0123456789abcdef", space + 1) == std::string::npos;
+                          text.find_first_not_of("0123456789abcdef", space + 1) ==
+                              std::string::npos;
         if (!good)
             return fail(path, "Line " + std::to_string(lines.size() + 1) +
                                   " is no \"pass attachment hash\", as --hashes prints them.");
@@ -65,8 +66,8 @@ Result<bool> compareHashLists(const std::string& a, const std::string& b) {
     for (size_t i = line; i < std::min(first->size(), second->size()); ++i)
         different += (*first)[i] != (*second)[i];
     std::printf("line %zu: %s is the first that differs (%s, %s); %zu of %zu do\n", line + 1,
-                at(*first, line).c_str(), (*first)[line].hash.c_str(),
-                (*second)[line].hash.c_str(), different, first->size());
+                at(*first, line).c_str(), (*first)[line].hash.c_str(), (*second)[line].hash.c_str(),
+                different, first->size());
     return false;
 }
 

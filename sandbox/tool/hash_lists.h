@@ -7,9 +7,9 @@
 
 namespace rushlight::tool {
 
-/// Prints the first image that differs, with the pass that wrote it, and how many do; true where all are equal. Frames
-/// are compared pass by pass: where one has a pass that the other has not, that is the first difference. An Error where
-/// a file cannot be read or is no such list.
+/// Prints the first image that differs, with the pass that wrote it, and how many do; true where
+/// all are equal. Frames are compared pass by pass: where one has a pass that the other has not,
+/// that is the first difference. An Error where a file cannot be read or is no such list.
 Result<bool> compareHashLists(const std::string& a, const std::string& b);
 
 }  // namespace rushlight::tool

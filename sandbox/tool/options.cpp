@@ -22,7 +22,8 @@ bool parseNumber(std::string_view text, T& value) {
     throw CLI::ValidationError("\"" + text + "\" is not " + wanted);
 }
 
-/// Numbers with commas between them, as many as there are; false where one is none or there are too many.
+/// Numbers with commas between them, as many as there are; false where one is none or there are too
+/// many.
 bool parseNumbers(std::string_view text, std::span<float* const> numbers) {
     for (float* number : numbers) {
         const size_t comma = text.find(',');
@@ -120,12 +121,14 @@ void addLightOptions(CLI::App& app, RenderOptions& o) {
         ->check(CLI::NonNegativeNumber);
     app.add_option_function<std::string>(
            "--sky", [&o](const std::string& text) { o.sky = parseSky(text); },
-           "ELEVATION[,AZIMUTH[,TURBIDITY]]: a clear sky with its sun, in degrees, as light, background and exposure; "
+           "ELEVATION[,AZIMUTH[,TURBIDITY]]: a clear sky with its sun, in degrees, as light, "
+           "background and exposure; "
            "it takes the place of the file's directional lights")
         ->excludes(app.get_option("--environment"));
     app.add_option_function<std::string>(
         "--fog", [&o](const std::string& text) { o.fog = parseFog(text); },
-        "DENSITY[,FALLOFF[,HEIGHT[,ANISOTROPY]]]: fog of so much extinction per metre at a height, falling off "
+        "DENSITY[,FALLOFF[,HEIGHT[,ANISOTROPY]]]: fog of so much extinction per metre at a height, "
+        "falling off "
         "upwards per metre; anisotropy -0.95 to 0.95");
     addVector(app, "--ambient", o.ambient, "r,g,b: light from all around, without an environment");
     app.add_option_function<std::string>(
@@ -157,11 +160,11 @@ void addAnimationOptions(CLI::App& app, RenderOptions& o) {
 }
 
 void addDisplayOptions(CLI::App& app, RenderOptions& o) {
-    CLI::Option* scale =
-        app.add_option("--exposure-scale", o.exposureScale, "A linear factor on radiance")
-            ->check(finiteNumber())
-            ->check(CLI::NonNegativeNumber)
-            ->capture_default_str();
+    CLI::Option* scale = app.add_option("--exposure-scale", o.exposureScale,
+                                        "A linear factor on radiance")
+                             ->check(finiteNumber())
+                             ->check(CLI::NonNegativeNumber)
+                             ->capture_default_str();
     app.add_option_function<std::string>(
            "--exposure",
            [&o](const std::string& text) {
@@ -205,20 +208,19 @@ void addQualityOptions(CLI::App& app, RenderOptions& o) {
            [&o, filters](const std::string& text) { o.shadowFilter = filters.at(text); },
            "Edges of shadows: sharp, filtered, or softer with distance")
         ->check(CLI::IsMember(filters));
-    addChoice<std::optional<ContactShadows>>(
-        app, "--contact-shadows", o.contactShadows,
-        {{"off", ContactShadows::off},
-         {"sun", ContactShadows::sun},
-         {"on", ContactShadows::lights}},
-        "Detail finer than shadow maps shadows what is next to it: of the sun, or (on) of lamps too");
-    addChoice<std::optional<AmbientOcclusion>>(
-        app, "--ao", o.ambientOcclusion,
-        {{"off", AmbientOcclusion::off},
-         {"on", AmbientOcclusion::medium},
-         {"low", AmbientOcclusion::low},
-         {"medium", AmbientOcclusion::medium},
-         {"high", AmbientOcclusion::high}},
-        "Surfaces hide ambient light from each other");
+    addChoice<std::optional<ContactShadows>>(app, "--contact-shadows", o.contactShadows,
+                                             {{"off", ContactShadows::off},
+                                              {"sun", ContactShadows::sun},
+                                              {"on", ContactShadows::lights}},
+                                             "Detail finer than shadow maps shadows what is next "
+                                             "to it: of the sun, or (on) of lamps too");
+    addChoice<std::optional<AmbientOcclusion>>(app, "--ao", o.ambientOcclusion,
+                                               {{"off", AmbientOcclusion::off},
+                                                {"on", AmbientOcclusion::medium},
+                                                {"low", AmbientOcclusion::low},
+                                                {"medium", AmbientOcclusion::medium},
+                                                {"high", AmbientOcclusion::high}},
+                                               "Surfaces hide ambient light from each other");
     app.add_option("--ao-radius", o.ambientOcclusionRadius, "Metres over which they do (1)")
         ->check(finiteNumber())
         ->check(CLI::PositiveNumber);
@@ -243,7 +245,8 @@ void addQualityOptions(CLI::App& app, RenderOptions& o) {
     addSwitch(app, "--occlusion", o.occlusionCulling, "Leave out what is hidden behind others");
     addPixels("--lod-error", o.lodError,
               "Pixels that a simplified mesh may be off; 0: meshes as they are");
-    addPixels("--shadow-lod-error", o.shadowLodError, "The same of shadows, in texels of their map");
+    addPixels("--shadow-lod-error", o.shadowLodError,
+              "The same of shadows, in texels of their map");
     addPixels("--small-objects", o.smallObjects,
               "Leave out objects that are fewer pixels, or shadow texels, across; 0: none");
 }

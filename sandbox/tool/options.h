@@ -58,7 +58,7 @@ struct RenderOptions {
 
     std::string probes;  ///< a file, off, bake; empty: the file beside the scene, if there is one
     bool reflectionProbes = true;  ///< those of the file are captured
-    float probeSpacing = 0;  ///< metres; 0: chosen
+    float probeSpacing = 0;        ///< metres; 0: chosen
     uint32_t probeSamples = 512;
 
     std::string animation;  ///< name or index; empty: none

@@ -33,12 +33,12 @@ Result<IrradianceVolume> readProbes(const std::string& path) {
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     const std::streamoff size = file ? std::streamoff(file.tellg()) : -1;
     if (size < 0)
-        return fail(path, "The file could not be read (" +
-                              std::generic_category().message(errno) + ").");
+        return fail(path,
+                    "The file could not be read (" + std::generic_category().message(errno) + ").");
     // A volume of the most probes has 19 MB.
     if (size > 64 << 20)
-        return fail(path, "This is no file of light probes: it has " + std::to_string(size) +
-                              " bytes.");
+        return fail(path,
+                    "This is no file of light probes: it has " + std::to_string(size) + " bytes.");
     std::vector<std::byte> bytes(static_cast<size_t>(size));
     file.seekg(0);
     if (!file.read(reinterpret_cast<char*>(bytes.data()), size))

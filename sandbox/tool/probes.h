@@ -1,7 +1,7 @@
 #pragma once
 // Irradiance probes of a scene: baked, read from a file, or neither.
 
-#include "renderer/frame/irradiance_volume.h"
+#include "renderer/lighting/irradiance_volume.h"
 #include "renderer/raytrace/probe_bake.h"
 #include "renderer/scene_bridge/scene_bridge.h"
 

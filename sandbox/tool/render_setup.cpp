@@ -37,7 +37,7 @@ void logToStandardError(void*, LogLevel level, std::string_view message) {
 }  // namespace
 
 Result<std::unique_ptr<RenderSetup>> RenderSetup::open(const RenderOptions& options,
-                                               bool pinRasterThreads) {
+                                                       bool pinRasterThreads) {
     const auto start = std::chrono::steady_clock::now();
     std::unique_ptr<RenderSetup> setup(new RenderSetup(options));
     setup->jobs_ = createTbbJobs(options.threads);
@@ -49,8 +49,8 @@ Result<std::unique_ptr<RenderSetup>> RenderSetup::open(const RenderOptions& opti
     setup->chooseLights();
     if (step = setup->loadProbes(); !step) return tl::unexpected(step.error());
     if (step = setup->captureReflections(); !step) return tl::unexpected(step.error());
-    const std::chrono::duration<double, std::milli> elapsed =
-        std::chrono::steady_clock::now() - start;
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() -
+                                                              start;
     setup->loadMs_ = elapsed.count();
     return setup;
 }
@@ -81,8 +81,8 @@ Result<void> RenderSetup::loadScene() {
     model_ = std::move(*model);
     for (const std::string& warning : model_.warnings) printWarning(warning);
     if (options_.animation.empty()) return {};
-    const auto found =
-        findNamed(options_.scene, "animation", options_.animation, namesOf(model_.animations));
+    const auto found = findNamed(options_.scene, "animation", options_.animation,
+                                 namesOf(model_.animations));
     if (!found) return tl::unexpected(found.error());
     animation_ = *found;
     return {};
@@ -178,8 +178,8 @@ Result<void> RenderSetup::useEnvironment(const EnvironmentDesc& desc) {
 
 Result<void> RenderSetup::chooseCamera() {
     if (!options_.camera.empty()) {
-        const auto found =
-            findNamed(options_.scene, "camera", options_.camera, namesOf(model_.cameras));
+        const auto found = findNamed(options_.scene, "camera", options_.camera,
+                                     namesOf(model_.cameras));
         if (!found) return tl::unexpected(found.error());
         if (!bridge_->cameraView(*found))
             return fail(options_.scene,
@@ -227,7 +227,8 @@ Result<IrradianceVolume> RenderSetup::bakeProbes() {
                             *jobs_);
 }
 
-// A file that is named is used as it is, one that merely lies there only under the light that it was baked for.
+// A file that is named is used as it is, one that merely lies there only under the light that it
+// was baked for.
 Result<void> RenderSetup::loadProbes() {
     if (options_.probes == "off") return {};
     const bool named = !options_.probes.empty(), bakes = options_.probes == "bake";
@@ -239,8 +240,9 @@ Result<void> RenderSetup::loadProbes() {
     environmentPixels_ = {};
     if (!sameLight)
         printWarning(path + ": the probes were baked under other light than is asked for" +
-                     (named ? "." : "; they are not used. Name the file with --probes to use it "
-                                    "all the same, or bake again."));
+                     (named ? "."
+                            : "; they are not used. Name the file with --probes to use it "
+                              "all the same, or bake again."));
     if (!sameLight && !named) return {};
     const auto created = renderer_->createIrradianceVolume(*volume);
     if (!created) return tl::unexpected(created.error());
@@ -268,8 +270,8 @@ FrameInput RenderSetup::frame() const {
     lighting.irradianceVolume = probes_;
     lighting.environmentRotation = glm::radians(options_.environmentRotation);
     lighting.environmentIntensity = options_.environmentIntensity * fileIntensity_;
-    lighting.background =
-        options_.background.value_or(environment_ ? Background::environment : Background::color);
+    lighting.background = options_.background.value_or(environment_ ? Background::environment
+                                                                    : Background::color);
     lighting.backgroundColor = options_.backgroundColor;
     lighting.ambientSky = lighting.ambientGround = options_.ambient.value_or(vec3(0));
     lighting.fog = options_.fog;

@@ -2,7 +2,7 @@
 // A scene, loaded and ready to be rendered as the options say.
 
 #include "engine/assets/model.h"
-#include "renderer/frame/sky.h"
+#include "renderer/lighting/environment/sky.h"
 #include "renderer/raytrace/probe_bake.h"
 #include "renderer/renderer.h"
 #include "renderer/scene_bridge/scene_bridge.h"
@@ -16,7 +16,7 @@ namespace rushlight::tool {
 class RenderSetup {
 public:
     static Result<std::unique_ptr<RenderSetup>> open(const RenderOptions& options,
-                                                 bool pinRasterThreads);
+                                                     bool pinRasterThreads);
     /// With the null backend: needs no context and draws nothing.
     static Result<std::unique_ptr<RenderSetup>> openToBake(const RenderOptions& options);
     ~RenderSetup();

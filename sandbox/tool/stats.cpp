@@ -26,8 +26,8 @@ ordered_json measuredFrame(const FrameReport& report, const FrameTimes& times) {
 
 }  // namespace
 
-ordered_json statsJson(RenderSetup& setup, uvec2 size, double firstFrameMs, const FrameReport& report,
-                       const FrameTimes& times) {
+ordered_json statsJson(RenderSetup& setup, uvec2 size, double firstFrameMs,
+                       const FrameReport& report, const FrameTimes& times) {
     const assets::Fidelity& fidelity = setup.fidelity();
     return {{"version", 1},
             {"context", toText(setup.contextKind())},

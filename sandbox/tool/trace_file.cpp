@@ -5,9 +5,10 @@
 namespace rushlight::tool {
 
 void addTraceOption(CLI::App& command, std::string& path) {
-    command.add_option("--trace", path,
-                       "Write the timeline of all frames drawn, for Perfetto or chrome://tracing, into "
-                       "this .json file");
+    command.add_option(
+        "--trace", path,
+        "Write the timeline of all frames drawn, for Perfetto or chrome://tracing, into "
+        "this .json file");
 }
 
 Result<void> TraceFile::check() const {
@@ -25,8 +26,8 @@ Result<void> TraceFile::finish(Result<void> outcome, RenderSetup& setup) {
     if (path_.empty()) return outcome;
     if (!outcome) trace_.setError(outcome.error().text());
     const Renderer& renderer = setup.renderer();
-    const Result<void> written =
-        writeFile(path_, trace_.json(renderer.deviceName(), renderer.deviceVersion()));
+    const Result<void> written = writeFile(
+        path_, trace_.json(renderer.deviceName(), renderer.deviceVersion()));
     return outcome ? written : outcome;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// --trace: the timeline of all frames that a command draws, written when the command ends, however it ends.
+// --trace: the timeline of all frames that a command draws, written when the command ends, however
+// it ends.
 
 #include "renderer/capture/frame_trace.h"
 #include "sandbox/tool/render_setup.h"
@@ -25,7 +26,8 @@ public:
     /// A frame that has just been drawn.
     void add(const FrameReport& report, const FrameTimes& times, bool warmUp);
 
-    /// Writes the file. `outcome` is what the command ends with: its Error goes into the file and on to the caller.
+    /// Writes the file. `outcome` is what the command ends with: its Error goes into the file and
+    /// on to the caller.
     Result<void> finish(Result<void> outcome, RenderSetup& setup);
 
 private:

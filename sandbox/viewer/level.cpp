@@ -150,8 +150,8 @@ LevelCamera Level::framingCamera() const {
     if (box.isEmpty()) return camera;
     const float radius = std::max(glm::length(box.halfExtent()), 1e-3f);
     camera.forward = glm::normalize(vec3(-0.4f, -0.35f, -1));
-    camera.position =
-        box.center() - camera.forward * (1.05f * radius / std::sin(0.5f * camera.verticalFov));
+    camera.position = box.center() -
+                      camera.forward * (1.05f * radius / std::sin(0.5f * camera.verticalFov));
     camera.nearPlane = 0.01f * radius;
     return camera;
 }

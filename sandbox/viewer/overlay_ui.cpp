@@ -10,8 +10,8 @@
 namespace rushlight {
 namespace {
 
-constexpr float kSmallFont =
-    13;  // pixels: the built-in font is a bitmap and sharp at multiples of 13
+constexpr float kSmallFont = 13;  // pixels: the built-in font is a bitmap and sharp at multiples of
+                                  // 13
 constexpr float kLargeFont = 26;
 
 void style() {

@@ -16,8 +16,8 @@ fs::path findProgramFile(const fs::path& relative) {
         if (folder == folder.root_path()) break;
     }
     error.clear();
-    const fs::path installed =
-        program.parent_path().parent_path() / "share" / "rushlight" / relative;
+    const fs::path installed = program.parent_path().parent_path() / "share" / "rushlight" /
+                               relative;
     if (fs::exists(installed, error)) return installed;
     if (fs::exists(relative, error)) return relative;
     return {};
@@ -27,9 +27,12 @@ std::string userCacheDirectory() {
     const char* cache = std::getenv("XDG_CACHE_HOME");
     const char* home = std::getenv("HOME");
     fs::path folder;
-    if (cache && *cache) folder = fs::path(cache) / "rushlight";
-    else if (home && *home) folder = fs::path(home) / ".cache" / "rushlight";
-    else return {};
+    if (cache && *cache)
+        folder = fs::path(cache) / "rushlight";
+    else if (home && *home)
+        folder = fs::path(home) / ".cache" / "rushlight";
+    else
+        return {};
     std::error_code error;
     fs::create_directories(folder, error);
     return error ? std::string() : folder.string();

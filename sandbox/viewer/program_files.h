@@ -10,8 +10,8 @@ namespace rushlight {
 /// installation, then in the working directory. Empty when it is nowhere.
 std::filesystem::path findProgramFile(const std::filesystem::path& relative);
 
-/// Where this user's caches are kept: $XDG_CACHE_HOME/rushlight, else ~/.cache/rushlight; made when absent. Empty when
-/// it cannot be had: then nothing is cached.
+/// Where this user's caches are kept: $XDG_CACHE_HOME/rushlight, else ~/.cache/rushlight; made when
+/// absent. Empty when it cannot be had: then nothing is cached.
 std::string userCacheDirectory();
 
 /// `folder`/`stem`-NNN.`extension` with the first number that is free; the folder is made.

@@ -21,8 +21,8 @@ struct GameFrame {
     float delta = 0;  ///< seconds since the last frame
     const CameraPose& camera;
     const InputState& input;
-    Level&
-        level;  ///< its lights may be changed; they are as in the file at the start of each frame
+    Level& level;  ///< its lights may be changed; they are as in the file at the start of each
+                   ///< frame
     Lighting& lighting;
 };
 
@@ -44,27 +44,27 @@ struct ViewerOptions {
     uint32_t height = 720;
     bool verticalSync = true;
     CameraMode cameraMode = CameraMode::fly;
-    std::string
-        camera;  ///< a camera's name or index; empty: the node "spawn", else the first camera
+    std::string camera;       ///< a camera's name or index; empty: the node "spawn", else the first
+                              ///< camera
     std::optional<vec3> eye;  ///< with `target`, instead of a camera of the file
     std::optional<vec3> target;
-    float verticalFov = 0;  ///< radians; 0: the camera's own
-    std::string
-        environment;  ///< a panorama (.hdr, .exr); empty: the hemisphere light of `lighting`
+    float verticalFov = 0;         ///< radians; 0: the camera's own
+    std::string environment;       ///< a panorama (.hdr, .exr); empty: the hemisphere light of
+                                   ///< `lighting`
     bool reflectionProbes = true;  ///< capture those of the file
-    Lighting
-        lighting;  ///< ambient and background; the spans and the environment are set by the viewer
+    Lighting lighting;  ///< ambient and background; the spans and the environment are set by the
+                        ///< viewer
     FrameSettings settings;
     std::string shaderDirectory;  ///< empty: found beside the program, else those compiled in
     uint32_t frames = 0;  ///< ends after so many, which then last 1/60 s each; 0: runs until closed
-    std::string
-        screenshot;  ///< a file for the last frame's picture; with `frames` 0 one frame is drawn
-    std::string script;             ///< a file of input instead of the player's, see InputScript
-    bool walkDemo = false;          ///< the built-in script
-    bool showOverlay = false;       ///< the panels are open from the start
-    bool pinRasterThreads = false;  ///< steadier times on llvmpipe
-    uint64_t (*allocationCount)() =
-        nullptr;  ///< of the process so far, when the program counts them
+    std::string screenshot;  ///< a file for the last frame's picture; with `frames` 0 one frame is
+                             ///< drawn
+    std::string script;      ///< a file of input instead of the player's, see InputScript
+    bool walkDemo = false;   ///< the built-in script
+    bool showOverlay = false;                 ///< the panels are open from the start
+    bool pinRasterThreads = false;            ///< steadier times on llvmpipe
+    uint64_t (*allocationCount)() = nullptr;  ///< of the process so far, when the program counts
+                                              ///< them
 };
 
 /// Opens the window and runs until it is closed. Returns the program's exit code: 0, 2 wrong usage,

@@ -205,7 +205,8 @@ FrameInput ViewerApp::describeScene() const {
     frame.lighting.punctual = level_->punctualLights();
     if (settings_.useReflectionProbes) frame.lighting.reflectionProbes = level_->reflectionProbes();
     if (settings_.useEnvironment) frame.lighting.environment = environment_;
-    const bool black = lighting_.background == Background::color && lighting_.backgroundColor == vec3(0);
+    const bool black = lighting_.background == Background::color &&
+                       lighting_.backgroundColor == vec3(0);
     if (levelEnvironment_ && black) frame.lighting.background = Background::environment;
     frame.settings = settings_.frame;
     return frame;

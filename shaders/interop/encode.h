@@ -11,7 +11,8 @@ RL_INLINE float signNotZero(float x) { return x < 0.0f ? -1.0f : 1.0f; }
 /// Nearest integer, halves up: `round` leaves halves to the implementation in GLSL.
 RL_INLINE float roundHalfUp(float x) { return floor(x + 0.5f); }
 
-// ---- octahedral directions: Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors"
+// ---- octahedral directions: Cigolle et al. 2014, "A Survey of Efficient Representations for
+// Independent Unit Vectors"
 
 /// A direction, of any length but zero, to the square [-1, 1]^2.
 RL_INLINE vec2 encodeOctahedral(vec3 n) {
@@ -28,10 +29,12 @@ RL_INLINE vec3 decodeOctahedral(vec2 e) {
     return normalize(vec3(e.x - signNotZero(e.x) * fold, e.y - signNotZero(e.y) * fold, z));
 }
 
-// ---- two signed 12-bit numbers in three 8-bit unorm channels -----------------------------------------------------
+// ---- two signed 12-bit numbers in three 8-bit unorm channels
+// -----------------------------------------------------
 //
 //     23         16 15         12 11          8 7           0
-//     [   x 11..4  ][   x 3..0   ][  y 11..8   ][   y 7..0   ]     code = 2048 + round(2047 v), so that 0 is exact
+//     [   x 11..4  ][   x 3..0   ][  y 11..8   ][   y 7..0   ]     code = 2048 + round(2047 v), so
+//     that 0 is exact
 //           r             g high        g low          b
 
 RL_INLINE vec3 packSigned12(vec2 v) {
@@ -56,8 +59,9 @@ RL_INLINE vec2 unpackSigned12(vec3 texel) {
 RL_INLINE vec3 packNormal(vec3 n) { return packSigned12(encodeOctahedral(n)); }
 RL_INLINE vec3 unpackNormal(vec3 texel) { return decodeOctahedral(unpackSigned12(texel)); }
 
-/// Velocity in texture coordinates per frame, at most one screen, companded by the square root: a still pixel is
-/// exactly zero, and steps are finest where motion is slow (2.4e-7 at zero, 1e-3 at a whole screen).
+/// Velocity in texture coordinates per frame, at most one screen, companded by the square root: a
+/// still pixel is exactly zero, and steps are finest where motion is slow (2.4e-7 at zero, 1e-3 at
+/// a whole screen).
 RL_INLINE vec3 packVelocity(vec2 v) {
     return packSigned12(vec2(signNotZero(v.x) * sqrt(abs(v.x)), signNotZero(v.y) * sqrt(abs(v.y))));
 }
@@ -66,10 +70,12 @@ RL_INLINE vec2 unpackVelocity(vec3 texel) {
     return vec2(s.x * abs(s.x), s.y * abs(s.y));
 }
 
-// ---- emissive radiance in 24 bits, one exponent for three mantissas ----------------------------------------------
+// ---- emissive radiance in 24 bits, one exponent for three mantissas
+// ----------------------------------------------
 //
 //     23    18 17     11 10     5 4     0
-//     [ r 6   ][  g 7   ][  b 6  ][ e 5 ]     channel = mantissa / 2^bits * 2^(e - 15); 0 and 2^-21 to 64,512
+//     [ r 6   ][  g 7   ][  b 6  ][ e 5 ]     channel = mantissa / 2^bits * 2^(e - 15); 0 and 2^-21
+//     to 64,512
 
 RL_CONST float kMaxEmissive = 64512.0f;
 
@@ -90,7 +96,8 @@ RL_INLINE vec3 packEmissive(vec3 radiance) {
     float b = min(roundHalfUp(c.z * perUnit * 64.0f), 63.0f);
     float gHigh = floor(g * (1.0f / 32.0f));
     float bHigh = floor(b * (1.0f / 8.0f));
-    return vec3(r * 4.0f + gHigh, (g - gHigh * 32.0f) * 8.0f + bHigh, (b - bHigh * 8.0f) * 32.0f + e) *
+    return vec3(r * 4.0f + gHigh, (g - gHigh * 32.0f) * 8.0f + bHigh,
+                (b - bHigh * 8.0f) * 32.0f + e) *
            (1.0f / 255.0f);
 }
 
@@ -108,7 +115,8 @@ RL_INLINE vec3 unpackEmissive(vec3 texel) {
     return vec3(r * (1.0f / 64.0f), g * (1.0f / 128.0f), b * (1.0f / 64.0f)) * unit;
 }
 
-// ---- vertex tangent frame: four snorm16, drawn at VertexSurface in renderer/commands/resources.h -----------------
+// ---- vertex tangent frame: four snorm16, drawn at VertexSurface in renderer/rhi/resources.h
+// -----------------
 
 /// Unit normal; unit tangent with w = +1 or -1, the sign of the bitangent.
 RL_INLINE vec4 encodeTangentFrame(vec3 normal, vec4 tangent) {

@@ -1,6 +1,7 @@
-// Lets one source be compiled as GLSL 4.50 and as C++ (GLM). Shared files keep to what both languages have: functions
-// of scalars, vectors and structs, `f` suffixes, vectors built from components (no swizzles), structs filled field by
-// field. In C++ everything is in rushlight::interop.
+// Lets one source be compiled as GLSL 4.50 and as C++ (GLM). Shared files keep to what both
+// languages have: functions of scalars, vectors and structs, `f` suffixes, vectors built from
+// components (no swizzles), structs filled field by field. In C++ everything is in
+// rushlight::interop.
 #ifndef RL_INTEROP_INTEROP_H
 #define RL_INTEROP_INTEROP_H
 

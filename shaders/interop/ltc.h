@@ -1,12 +1,14 @@
-// Light from surfaces of one luminance: linearly transformed cosines, for shaders and for tests on the CPU.
+// Light from surfaces of one luminance: linearly transformed cosines, for shaders and for tests on
+// the CPU.
 //
-// Sources: Heitz, Dupuy, Hill, Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines";
-// Heitz and Hill 2017, "Real-Time Line- and Disk-Light Shading with Linearly Transformed Cosines"; Lambert 1760 (the
-// irradiance of a polygon as a sum over its edges).
+// Sources: Heitz, Dupuy, Hill, Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly
+// Transformed Cosines"; Heitz and Hill 2017, "Real-Time Line- and Disk-Light Shading with Linearly
+// Transformed Cosines"; Lambert 1760 (the irradiance of a polygon as a sum over its edges).
 //
-// Everything that shines is an outline, seen from the lit point: as luminance is the same in all directions, only the solid
-// angle that it fills counts. A disk is its ellipse, a sphere the disk that its tangent cone cuts, a tube (with closed ends)
-// two lines and two arcs. Round outlines are polygons of the same area.
+// Everything that shines is an outline, seen from the lit point: as luminance is the same in all
+// directions, only the solid angle that it fills counts. A disk is its ellipse, a sphere the disk
+// that its tangent cone cuts, a tube (with closed ends) two lines and two arcs. Round outlines are
+// polygons of the same area.
 #ifndef RL_INTEROP_LTC_H
 #define RL_INTEROP_LTC_H
 
@@ -21,12 +23,12 @@ RL_CONST float kTwoPi = 6.283185307179586f;
 #define RL_AREA_TUBE 3
 // Corners of a round outline; even.
 #define RL_OUTLINE_CORNERS 16
-// Texels along a side of the table of matrices: columns sqrt(1 - n.v), rows perceptual roughness; the outermost texels'
-// centres are 0 and 1.
+// Texels along a side of the table of matrices: columns sqrt(1 - n.v), rows perceptual roughness;
+// the outermost texels' centres are 0 and 1.
 #define RL_LTC_TABLE_SIZE 32
 
-/// Corner i is at center + x cos(angle) + y sin(angle), angle = first + i step; the second half has its own center and
-/// angles.
+/// Corner i is at center + x cos(angle) + y sin(angle), angle = first + i step; the second half has
+/// its own center and angles.
 struct LightOutline {
     vec3 center0;
     vec3 center1;
@@ -71,7 +73,8 @@ RL_INLINE LightOutline diskOutline(vec3 center, vec3 halfX, vec3 halfY) {
     return ellipseOutline(center, halfX * wider, halfY * wider, RL_OUTLINE_CORNERS);
 }
 
-/// A unit vector at right angles to `n`. Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
+/// A unit vector at right angles to `n`. Duff et al. 2017, "Building an Orthonormal Basis,
+/// Revisited".
 RL_INLINE vec3 perpendicularTo(vec3 n) {
     float s = n.z >= 0.0f ? 1.0f : -1.0f;
     float a = -1.0f / (s + n.z);
@@ -95,7 +98,8 @@ RL_INLINE LightOutline tubeOutline(vec3 center, vec3 along, float radius) {
     vec3 across = center - axis * axial;
     float distance = max(length(across), radius * 1.0001f);
     vec3 away = length(across) > 1e-6f ? normalize(across) : perpendicularTo(axis);
-    // Angles are from the line of the surface that is nearest to the point; the tangents touch at +-beta.
+    // Angles are from the line of the surface that is nearest to the point; the tangents touch at
+    // +-beta.
     float cosine = radius / distance;
     float beta = acos(cosine);
     LightOutline o;
@@ -115,10 +119,11 @@ RL_INLINE LightOutline tubeOutline(vec3 center, vec3 along, float radius) {
     return o;
 }
 
-// ---- the irradiance of an outline --------------------------------------------------------------------------------
+// ---- the irradiance of an outline
+// --------------------------------------------------------------------------------
 
-/// The sum over edges of what is above the horizon, and where the outline crosses it. A convex outline leaves and comes
-/// back once; the edge between closes it.
+/// The sum over edges of what is above the horizon, and where the outline crosses it. A convex
+/// outline leaves and comes back once; the edge between closes it.
 struct HorizonSum {
     float sum;
     float crossed;
@@ -135,9 +140,10 @@ RL_INLINE HorizonSum emptyHorizonSum() {
     return s;
 }
 
-/// The angle between unit vectors over its sine, by its cosine and the square of its sine, which near half a turn is more
-/// exact than what the cosine gives. A rational fit of acos(x) / sqrt(1 - x^2) on [0, 1], off by at most 1.4e-6 of it; on
-/// the other half it is pi / sine less its mirror image.
+/// The angle between unit vectors over its sine, by its cosine and the square of its sine, which
+/// near half a turn is more exact than what the cosine gives. A rational fit of acos(x) / sqrt(1 -
+/// x^2) on [0, 1], off by at most 1.4e-6 of it; on the other half it is pi / sine less its mirror
+/// image.
 RL_INLINE float angleOverSine(float cosine, float sine2) {
     float x = abs(cosine);
     float p = 1.57079422f + x * (0.90282977f + x * 0.025808355f);
@@ -180,8 +186,8 @@ RL_INLINE float formFactor(HorizonSum s) {
     return abs(sum) * (1.0f / kTwoPi);
 }
 
-/// Steradians that an outline fills, seen from all around: a fan of triangles (Van Oosterom and Strackee 1983, "The Solid
-/// Angle of a Plane Triangle").
+/// Steradians that an outline fills, seen from all around: a fan of triangles (Van Oosterom and
+/// Strackee 1983, "The Solid Angle of a Plane Triangle").
 RL_INLINE float outlineSolidAngle(LightOutline o) {
     vec3 first = normalize(outlineCorner(o, 0));
     vec3 last = normalize(outlineCorner(o, 1));
@@ -202,10 +208,12 @@ RL_INLINE float ballSolidAngle(float distance2, float radius) {
     return kTwoPi * share / (1.0f + sqrt(1.0f - share));
 }
 
-// ---- the lobe ----------------------------------------------------------------------------------------------------
+// ---- the lobe
+// ----------------------------------------------------------------------------------------------------
 
 /// The inverse of the matrix that turns a cosine into the specular lobe, of unit scale in y:
-/// [ m.x 0 m.y ; 0 1 0 ; m.z 0 m.w ], in the frame whose x-z plane holds the view and whose z is the normal.
+/// [ m.x 0 m.y ; 0 1 0 ; m.z 0 m.w ], in the frame whose x-z plane holds the view and whose z is
+/// the normal.
 RL_INLINE vec3 applyLtc(vec4 m, vec3 v) {
     return vec3(m.x * v.x + m.y * v.z, v.y, m.z * v.x + m.w * v.z);
 }
@@ -217,8 +225,8 @@ RL_INLINE vec2 ltcCoordinates(float nDotV, float roughness) {
     return place * ((size - 1.0f) / size) + vec2(0.5f / size);
 }
 
-/// x: the share of the hemisphere that an outline fills as the diffuse lobe weighs it, y: as the specular lobe does.
-/// `tangent`, `bitangent`, `normal` are the frame of applyLtc.
+/// x: the share of the hemisphere that an outline fills as the diffuse lobe weighs it, y: as the
+/// specular lobe does. `tangent`, `bitangent`, `normal` are the frame of applyLtc.
 RL_INLINE vec2 outlineFormFactors(LightOutline o, vec3 tangent, vec3 bitangent, vec3 normal,
                                   vec4 ltc) {
     HorizonSum diffuse = emptyHorizonSum();
@@ -238,8 +246,10 @@ RL_INLINE vec2 outlineFormFactors(LightOutline o, vec3 tangent, vec3 bitangent, 
             vec3 b = aboveB ? next : crossing;
             if (aboveA != aboveB) {
                 diffuse.crossed = 1.0f;
-                if (aboveA) diffuse.leaves = crossing;
-                else diffuse.returns = crossing;
+                if (aboveA)
+                    diffuse.leaves = crossing;
+                else
+                    diffuse.returns = crossing;
             }
             diffuse.sum += edgeIrradiance(a, b);
             addEdge(specular, applyLtc(ltc, a), applyLtc(ltc, b));

@@ -10,8 +10,8 @@
 //               w: array layers: occlusion 0-9, emissive 10-19; uv sets: bit 20 + texture slot
 //     texel 2   (with TRANSMISSION alone)  x: transmission, 1 where alpha is coverage (half)
 //               y: its colour r, g (half)  z: b, 0 (half)   w: array layer
-//     then, with UV_TRANSFORMS, for each slot (RL_MATERIAL_SLOT_TRANSMISSION with TRANSMISSION alone) two texels:
-//     2x2 matrix by columns; offset
+//     then, with UV_TRANSFORMS, for each slot (RL_MATERIAL_SLOT_TRANSMISSION with TRANSMISSION
+//     alone) two texels: 2x2 matrix by columns; offset
 #define RL_MATERIAL_TEXELS 2
 #define RL_MATERIAL_SLOT_TRANSMISSION 5
 

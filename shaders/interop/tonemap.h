@@ -1,4 +1,5 @@
-// From linear scene radiance (Rec.709, exposure applied) to linear display colour in [0, 1], and the sRGB curve.
+// From linear scene radiance (Rec.709, exposure applied) to linear display colour in [0, 1], and
+// the sRGB curve.
 #ifndef RL_INTEROP_TONEMAP_H
 #define RL_INTEROP_TONEMAP_H
 
@@ -8,8 +9,8 @@ RL_INTEROP_BEGIN
 
 RL_INLINE vec3 saturate3(vec3 c) { return clamp(c, vec3(0.0f), vec3(1.0f)); }
 
-/// Khronos PBR Neutral, https://modelviewer.dev/examples/tone-mapping (Khronos Group 2024): exact up to 0.76 for
-/// dielectrics, then compressed towards white.
+/// Khronos PBR Neutral, https://modelviewer.dev/examples/tone-mapping (Khronos Group 2024): exact
+/// up to 0.76 for dielectrics, then compressed towards white.
 RL_INLINE vec3 toneMapNeutral(vec3 color) {
     float compressionStart = 0.8f - 0.04f;
     float desaturation = 0.15f;
@@ -24,7 +25,8 @@ RL_INLINE vec3 toneMapNeutral(vec3 color) {
     return mix(c * (newPeak / peak), vec3(newPeak), towardsWhite);
 }
 
-/// ACES in Stephen Hill's fit (BakingLab, 2016) of RRT and ODT, on radiance / 0.6 as three.js and the Khronos viewer.
+/// ACES in Stephen Hill's fit (BakingLab, 2016) of RRT and ODT, on radiance / 0.6 as three.js and
+/// the Khronos viewer.
 RL_INLINE vec3 toneMapAces(vec3 color) {
     mat3 intoAces = mat3(0.59719f, 0.07600f, 0.02840f,  //
                          0.35458f, 0.90834f, 0.13383f,  //
@@ -38,8 +40,9 @@ RL_INLINE vec3 toneMapAces(vec3 color) {
     return saturate3(fromAces * (a / b));
 }
 
-/// AgX's base transform (Troy Sobotka): inset, log2 from -12.47393 to 4.026069 stops, and the polynomial fit of the
-/// curve by Wrensch 2023, "Minimal AgX Implementation"; the result is linearised with the 2.2 power that AgX assumes.
+/// AgX's base transform (Troy Sobotka): inset, log2 from -12.47393 to 4.026069 stops, and the
+/// polynomial fit of the curve by Wrensch 2023, "Minimal AgX Implementation"; the result is
+/// linearised with the 2.2 power that AgX assumes.
 RL_INLINE vec3 toneMapAgx(vec3 color) {
     mat3 inset = mat3(0.842479062253094f, 0.0423282422610123f, 0.0423756549057051f,  //
                       0.0784335999999992f, 0.878468636469772f, 0.0784336f,           //
@@ -72,8 +75,9 @@ RL_INLINE vec3 decodeSrgb(vec3 c) {
     return vec3(decodeSrgb(c.x), decodeSrgb(c.y), decodeSrgb(c.z));
 }
 
-/// Interleaved gradient noise (Jimenez 2014), uniform in [0, 1), made triangular in (-1, 1): rounding then adds noise of
-/// constant strength. A function of the pixel alone: the same picture every time.
+/// Interleaved gradient noise (Jimenez 2014), uniform in [0, 1), made triangular in (-1, 1):
+/// rounding then adds noise of constant strength. A function of the pixel alone: the same picture
+/// every time.
 RL_INLINE float ditherNoise(vec2 pixel) {
     float uniformNoise = fract(52.9829189f * fract(dot(pixel, vec2(0.06711056f, 0.00583715f))));
     float centred = uniformNoise * 2.0f - 1.0f;
@@ -81,7 +85,8 @@ RL_INLINE float ditherNoise(vec2 pixel) {
     return centred < 0.0f ? -size : size;
 }
 
-/// A colour to be rounded to 8 bits, at a pixel's centre. Never off the ends: black stays black, white white.
+/// A colour to be rounded to 8 bits, at a pixel's centre. Never off the ends: black stays black,
+/// white white.
 RL_INLINE vec3 dithered(vec3 encoded, vec2 pixel) {
     vec3 room = min(encoded, vec3(1.0f) - encoded) * 255.0f;
     vec3 noise = vec3(ditherNoise(pixel));

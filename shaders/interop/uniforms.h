@@ -1,5 +1,6 @@
-// RL_UNIFORMS_PASS of the passes after lighting: C++ fills them, GLSL reads them in the full-screen vertex shader
-// (common/fullscreen.vert), which hands them on as flat varyings. std140-safe: vec4 alone.
+// RL_UNIFORMS_PASS of the passes after lighting: C++ fills them, GLSL reads them in the full-screen
+// vertex shader (common/fullscreen.vert), which hands them on as flat varyings. std140-safe: vec4
+// alone.
 #ifndef RL_INTEROP_UNIFORMS_H
 #define RL_INTEROP_UNIFORMS_H
 
@@ -21,11 +22,14 @@ RL_INTEROP_BEGIN
 ///     tonemap      -                         x: bloom's share, y: exposure factor     -
 ///     fxaa         xy: 1 / source size       -                                        -
 ///     overlay      xy: 2 / target size       x: 1: rows from the top, y: array layer  -
-///     debug view   xy: 1 / target size       depth: x: nearest, y: farthest shown     clusters: clusterCounts
-///                  zw: depthDecode           clusters: clusterMapping                 shadow: x: cells, y: cascades
-///                  (of LightingUniforms)     shadow: x: a cell's width over height
+///     debug view   xy: 1 / target size       depth: x: nearest, y: farthest shown     clusters:
+///     clusterCounts
+///                  zw: depthDecode           clusters: clusterMapping                 shadow: x:
+///                  cells, y: cascades (of LightingUniforms)     shadow: x: a cell's width over
+///                  height
 ///
-/// counts.w of every full-screen pass: 1 turns the picture upside down, for hosts that read rows from the top.
+/// counts.w of every full-screen pass: 1 turns the picture upside down, for hosts that read rows
+/// from the top.
 struct PassUniforms {
     vec4 sourceTexel;
     vec4 settings;

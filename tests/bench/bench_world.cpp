@@ -75,8 +75,8 @@ void BenchWorld::frame() {
         if (!renderer_->render(input, {0, kWidth, kHeight}, options)) std::abort();
         return;
     }
-    const auto ticket =
-        renderer_->renderOffscreen(input, kWidth, kHeight, CaptureKind::display, options);
+    const auto ticket = renderer_->renderOffscreen(input, kWidth, kHeight, CaptureKind::display,
+                                                   options);
     if (!ticket || !renderer_->takeCapture(*ticket, true, image_)) std::abort();
 }
 

@@ -3,7 +3,7 @@
 
 #include "renderer/renderer.h"
 #include "tests/support/random.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 
 #include <memory>
 #include <vector>
@@ -19,7 +19,8 @@ public:
         uint32_t movingPercent = 0;  ///< of all objects, each frame
         GlLoadFunction loadGl = nullptr;
         JobSystem* jobs = nullptr;
-        void (*change)(FrameInput&) = nullptr;  ///< touches each frame's input before it is rendered
+        void (*change)(FrameInput&) = nullptr;  ///< touches each frame's input before it is
+                                                ///< rendered
     };
 
     explicit BenchWorld(const Desc& desc);

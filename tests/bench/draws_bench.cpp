@@ -1,11 +1,11 @@
-// The parts of a frame that are paid for by the object: boxes against a frustum, sorting and recording draws, executing
-// them on the null device and in OpenGL.
+// The parts of a frame that are paid for by the object: boxes against a frustum, sorting and
+// recording draws, executing them on the null device and in OpenGL.
 #include "engine/jobs/tbb_jobs.h"
 #include "renderer/backend/null/null_device.h"
-#include "renderer/frame/spatial_index.h"
-#include "renderer/frame/visibility.h"
+#include "renderer/visibility/spatial_index.h"
+#include "renderer/visibility/visibility.h"
 #include "tests/bench/bench_world.h"
-#include "tests/support/test_context.h"
+#include "tests/support/gl/test_context.h"
 
 #include <benchmark/benchmark.h>
 
@@ -34,8 +34,7 @@ void cullBoxes(benchmark::State& state) {
         for (uint32_t i = 0; i < kBlockSize; ++i) block.set(i, randomBox(random));
     const CullVolume volume = someView();
     for (auto _ : state)
-        for (const BoxBlock& block : blocks)
-            benchmark::DoNotOptimize(touchingBoxes(block, volume));
+        for (const BoxBlock& block : blocks) benchmark::DoNotOptimize(touchingBoxes(block, volume));
     const double boxes = double(blocks.size() * kBlockSize);
     state.counters["ns/box"] = benchmark::Counter(
         boxes * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
@@ -80,8 +79,9 @@ struct SortedDraws {
         list.arrange(worlds, geometry, {});
         commands.clear();
         list.allocate(commands);
-        jobs.forRanges(uint32_t(items.size()), DrawList::kItemsPerJob,
-                       [&](uint32_t begin, uint32_t end) { list.fill(commands, worlds, begin, end); });
+        jobs.forRanges(
+            uint32_t(items.size()), DrawList::kItemsPerJob,
+            [&](uint32_t begin, uint32_t end) { list.fill(commands, worlds, begin, end); });
         DrawBinder{&geometry, &materials}.record(commands, list);
     }
 };
@@ -96,7 +96,10 @@ void sortAndRecord(benchmark::State& state) {
         double(state.range(0)) * 1e-9,
         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(sortAndRecord)->ArgNames({"draws", "threads"})->ArgsProduct({{3000, 30000}, {1, 2}})->UseRealTime();
+BENCHMARK(sortAndRecord)
+    ->ArgNames({"draws", "threads"})
+    ->ArgsProduct({{3000, 30000}, {1, 2}})
+    ->UseRealTime();
 
 // What the backend takes to submit a frame of unique draws. Argument: 0 the null device, 1 OpenGL.
 void executeDraws(benchmark::State& state) {
@@ -115,7 +118,12 @@ void executeDraws(benchmark::State& state) {
         double(world.report().draws) * 1e-9,
         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(executeDraws)->ArgName("gl")->Arg(0)->Arg(1)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(executeDraws)
+    ->ArgName("gl")
+    ->Arg(0)
+    ->Arg(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 
 // Bytes that a world holds for each of its objects.
 void memoryPerObject(benchmark::State& state) {
@@ -134,7 +142,11 @@ void memoryPerObject(benchmark::State& state) {
         state.counters["bytes/object"] = double(world.bytes()) / double(count);
     }
 }
-BENCHMARK(memoryPerObject)->Arg(100'000)->Arg(1'000'000)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(memoryPerObject)
+    ->Arg(100'000)
+    ->Arg(1'000'000)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace rushlight

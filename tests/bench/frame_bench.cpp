@@ -1,4 +1,5 @@
-// What building a frame costs: a camera and four cascades, culled, detailed, sorted and recorded, on the null backend.
+// What building a frame costs: a camera and four cascades, culled, detailed, sorted and recorded,
+// on the null backend.
 #include "engine/jobs/tbb_jobs.h"
 #include "tests/bench/bench_world.h"
 

@@ -50,7 +50,8 @@ int run(char** arguments) {
     const auto scene = *makeRayScene(*bridge, *jobs);
     std::vector<vec3> pixels;
     for (size_t i = 0; i < picture->pixelCount(); ++i)
-        pixels.push_back({picture->rgba[i * 4], picture->rgba[i * 4 + 1], picture->rgba[i * 4 + 2]});
+        pixels.push_back(
+            {picture->rgba[i * 4], picture->rgba[i * 4 + 1], picture->rgba[i * 4 + 2]});
     BakeLighting lighting;
     lighting.environment = {"environment", picture->width, picture->height, pixels};
     const BakeLight light = *BakeLight::create(lighting, *jobs);
@@ -85,7 +86,8 @@ int run(char** arguments) {
                 100 * apart / truth);
     std::ranges::sort(errors);
     std::printf("relative error of a point: median %.0f %%, 3 of 4 under %.0f %%\n",
-                double(100 * errors[errors.size() / 2]), double(100 * errors[errors.size() * 3 / 4]));
+                double(100 * errors[errors.size() / 2]),
+                double(100 * errors[errors.size() * 3 / 4]));
     return 0;
 }
 

@@ -1,11 +1,11 @@
-// 64 to 4,096 lights on one level, whose ranges shrink as they grow in number so that a pixel is lit by as many: what
-// building their lists costs, and the lighting pass.
+// 64 to 4,096 lights on one level, whose ranges shrink as they grow in number so that a pixel is
+// lit by as many: what building their lists costs, and the lighting pass.
 #include "engine/jobs/tbb_jobs.h"
-#include "renderer/frame/light_clusters.h"
+#include "renderer/lighting/clusters/light_clusters.h"
 #include "renderer/renderer.h"
+#include "tests/support/gl/test_context.h"
 #include "tests/support/random.h"
-#include "tests/support/shapes.h"
-#include "tests/support/test_context.h"
+#include "tests/support/scenes/shapes.h"
 
 #include <benchmark/benchmark.h>
 
@@ -15,7 +15,7 @@ namespace rushlight {
 namespace {
 
 constexpr uint32_t kWidth = 1280, kHeight = 720;
-constexpr float kSide = 60;          // metres of the level's side
+constexpr float kSide = 60;  // metres of the level's side
 constexpr float kLightsOfAPoint = 6;
 
 std::vector<PunctualLight> lightsOf(uint32_t count) {
@@ -90,7 +90,11 @@ void lightingPass(benchmark::State& state) {
 }
 BENCHMARK(lightingPass)
     ->ArgName("lights")
-    ->Arg(0)->Arg(64)->Arg(256)->Arg(1024)->Arg(4096)
+    ->Arg(0)
+    ->Arg(64)
+    ->Arg(256)
+    ->Arg(1024)
+    ->Arg(4096)
     ->Iterations(15)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);

@@ -1,9 +1,9 @@
 // What it costs to fill the occlusion buffer and to ask it.
 #include "engine/jobs/tbb_jobs.h"
-#include "renderer/frame/occlusion_buffer.h"
-#include "renderer/frame/view_math.h"
+#include "renderer/geometry/view_math.h"
+#include "renderer/visibility/occlusion/occlusion_buffer.h"
 #include "tests/support/random.h"
-#include "tests/support/shapes.h"
+#include "tests/support/scenes/shapes.h"
 
 #include <benchmark/benchmark.h>
 
@@ -14,7 +14,8 @@ namespace {
 
 constexpr uint32_t kWidth = 1280, kHeight = 720;
 
-/// Boxes and spheres of 12 to 480 triangles before the camera, near ones first: 5,592 triangles in 30 of them.
+/// Boxes and spheres of 12 to 480 triangles before the camera, near ones first: 5,592 triangles in
+/// 30 of them.
 struct World {
     std::vector<OccluderMesh> meshes;
     std::vector<Occluder> occluders;
@@ -24,20 +25,23 @@ struct World {
 
     World(uint32_t count, float size, float boxSize) {
         Random random(11);
-        for (const Shape& shape : {makeCube(), makeSphere(4, 8), makeSphere(10, 10), makeSphere(16, 16)})
+        for (const Shape& shape :
+             {makeCube(), makeSphere(4, 8), makeSphere(10, 10), makeSphere(16, 16)})
             meshes.push_back(makeOccluderMesh(shape.positions, shape.indices));
         for (uint32_t i = 0; i < count; ++i) {
             const float depth = 4 + 36 * float(i) / float(count);
             mat4x3 transform(size * random.uniform(0.5f, 1.5f));
-            transform[3] = {random.uniform(-1, 1) * depth, random.uniform(-0.6f, 0.6f) * depth, -depth};
+            transform[3] = {random.uniform(-1, 1) * depth, random.uniform(-0.6f, 0.6f) * depth,
+                            -depth};
             const OccluderMesh& mesh = meshes[random.below(uint32_t(meshes.size()))];
             triangles += mesh.triangleCount();
             occluders.push_back({&mesh, transform, false});
         }
         for (uint32_t i = 0; i < 3000; ++i) {
             const float depth = random.uniform(5, 80);
-            boxes.push_back({{random.uniform(-1, 1) * depth, random.uniform(-0.6f, 0.6f) * depth, -depth},
-                             random.vector(0.5f, 1) * boxSize});
+            boxes.push_back(
+                {{random.uniform(-1, 1) * depth, random.uniform(-0.6f, 0.6f) * depth, -depth},
+                 random.vector(0.5f, 1) * boxSize});
         }
     }
     void fill(OcclusionBuffer& buffer, JobSystem& jobs) const {
@@ -55,8 +59,8 @@ void fillBuffer(benchmark::State& state) {
     for (auto _ : state) world.fill(buffer, *jobs);
     state.counters["triangles"] = world.triangles;
     state.counters["filled"] = buffer.triangleCount();
-    state.counters["triangles/s"] =
-        benchmark::Counter(double(world.triangles), benchmark::Counter::kIsIterationInvariantRate);
+    state.counters["triangles/s"] = benchmark::Counter(
+        double(world.triangles), benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(fillBuffer)
     ->ArgNames({"occluders", "half_mm", "threads"})

@@ -1,9 +1,9 @@
 #include "tests/budget/budgets.h"
 
+#include "renderer/testing/scene_frames.h"
 #include "tests/bench/bench_world.h"
 #include "tests/support/allocation_counter.h"
-#include "tests/support/random_scene.h"
-#include "renderer/testing/scene_frames.h"
+#include "tests/support/scenes/random_scene.h"
 
 namespace rushlight {
 namespace {
@@ -15,8 +15,7 @@ constexpr uint32_t kWidth = 320, kHeight = 180;
 uint64_t allocationsOfLastFrame = 0;
 
 Result<void> renderInto(Renderer& renderer, const FrameInput& input, CapturedImage& image) {
-    const auto ticket =
-        renderer.renderOffscreen(input, kWidth, kHeight, CaptureKind::display);
+    const auto ticket = renderer.renderOffscreen(input, kWidth, kHeight, CaptureKind::display);
     if (!ticket) return tl::unexpected(ticket.error());
     renderer.takeCapture(*ticket, true, image);
     return {};
@@ -85,8 +84,14 @@ Result<FrameReport> plain(GlLoadFunction load, Change change, uint32_t movingPer
 
 const std::vector<BudgetScene>& budgetScenes() {
     static const std::vector<BudgetScene> scenes = {
-        {"testcard", [](auto load, auto change) { return contentScene(load, change, "testcard/testcard.gltf", "card"); }},
-        {"square", [](auto load, auto change) { return contentScene(load, change, "square/square.gltf", "square"); }},
+        {"testcard",
+         [](auto load, auto change) {
+             return contentScene(load, change, "testcard/testcard.gltf", "card");
+         }},
+        {"square",
+         [](auto load, auto change) {
+             return contentScene(load, change, "square/square.gltf", "square");
+         }},
         {"random", [](auto load, auto change) { return randomScene(load, change, 5); }},
         {"3000 unique", [](auto load, auto change) { return plain(load, change, 0); }},
         {"3000 unique, 300 moving", [](auto load, auto change) { return plain(load, change, 10); }},
@@ -119,7 +124,8 @@ std::vector<std::string> differences(const nlohmann::ordered_json& budget,
     std::vector<std::string> lines;
     const auto was = budget.flatten(), is = measured.flatten();
     for (const auto& [key, value] : was.items())
-        if (!is.contains(key)) lines.push_back(key + ": " + value.dump() + ", now missing");
+        if (!is.contains(key))
+            lines.push_back(key + ": " + value.dump() + ", now missing");
         else if (is[key] != value)
             lines.push_back(key + ": " + value.dump() + ", now " + is[key].dump());
     for (const auto& [key, value] : is.items())

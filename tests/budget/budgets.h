@@ -1,5 +1,6 @@
 #pragma once
-// What frames of known scenes may cost, in exact counters: as many as the file says, no more and no fewer.
+// What frames of known scenes may cost, in exact counters: as many as the file says, no more and no
+// fewer.
 
 #include "renderer/renderer.h"
 

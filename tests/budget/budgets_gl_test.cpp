@@ -1,5 +1,5 @@
 #include "tests/budget/budgets.h"
-#include "tests/support/test_context.h"
+#include "tests/support/gl/test_context.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,8 @@ TEST_F(Budgets, AreKept) {
     ASSERT_EQ(all.size(), budgetScenes().size());
     for (const BudgetScene& scene : budgetScenes())
         EXPECT_EQ(joined(compare(scene, nullptr)), "")
-            << scene.name << ": if that is wanted, `cmake --build build/release --target update_budgets`";
+            << scene.name
+            << ": if that is wanted, `cmake --build build/release --target update_budgets`";
 }
 
 // Each of these costs one thing more, and none may go unnoticed.

@@ -1,7 +1,7 @@
 // Says how the budgets would change; with --write, changes them.
 
 #include "tests/budget/budgets.h"
-#include "tests/support/test_context.h"
+#include "tests/support/gl/test_context.h"
 
 #include <cstdio>
 #include <cstring>
@@ -29,7 +29,8 @@ int main(int count, char** arguments) {
             return 3;
         }
         all[scene.name] = *measured;
-        const auto lines = differences(old.value(scene.name, nlohmann::ordered_json::object()), *measured);
+        const auto lines = differences(old.value(scene.name, nlohmann::ordered_json::object()),
+                                       *measured);
         std::printf("%s: %s\n", scene.name, lines.empty() ? "the same" : "changes");
         for (const std::string& line : lines) std::printf("  %s\n", line.c_str());
     }

@@ -7,30 +7,46 @@ constexpr GLuint kUnits = 32;
 
 // Off in a new context; each would change the picture of a renderer that takes it for granted.
 constexpr GLenum kSwitches[] = {
-    GL_BLEND,           GL_SCISSOR_TEST,      GL_CULL_FACE,           GL_DEPTH_TEST,
-    GL_DEPTH_CLAMP,     GL_STENCIL_TEST,      GL_COLOR_LOGIC_OP,      GL_RASTERIZER_DISCARD,
-    GL_FRAMEBUFFER_SRGB, GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_PRIMITIVE_RESTART,
-    GL_SAMPLE_MASK,     GL_SAMPLE_COVERAGE,   GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE,
-    GL_POLYGON_SMOOTH,  GL_LINE_SMOOTH,       GL_SAMPLE_SHADING,      GL_CLIP_DISTANCE0,
+    GL_BLEND,
+    GL_SCISSOR_TEST,
+    GL_CULL_FACE,
+    GL_DEPTH_TEST,
+    GL_DEPTH_CLAMP,
+    GL_STENCIL_TEST,
+    GL_COLOR_LOGIC_OP,
+    GL_RASTERIZER_DISCARD,
+    GL_FRAMEBUFFER_SRGB,
+    GL_POLYGON_OFFSET_FILL,
+    GL_POLYGON_OFFSET_LINE,
+    GL_PRIMITIVE_RESTART,
+    GL_SAMPLE_MASK,
+    GL_SAMPLE_COVERAGE,
+    GL_SAMPLE_ALPHA_TO_COVERAGE,
+    GL_SAMPLE_ALPHA_TO_ONE,
+    GL_POLYGON_SMOOTH,
+    GL_LINE_SMOOTH,
+    GL_SAMPLE_SHADING,
+    GL_CLIP_DISTANCE0,
     GL_PRIMITIVE_RESTART_FIXED_INDEX,
 };
 
 // Bindings that a transfer, a draw or a query reads.
 constexpr GLenum kBuffers[] = {
-    GL_ARRAY_BUFFER,       GL_PIXEL_UNPACK_BUFFER,  GL_PIXEL_PACK_BUFFER, GL_DRAW_INDIRECT_BUFFER,
-    GL_UNIFORM_BUFFER,     GL_SHADER_STORAGE_BUFFER, GL_QUERY_BUFFER,     GL_COPY_READ_BUFFER,
-    GL_COPY_WRITE_BUFFER,  GL_DISPATCH_INDIRECT_BUFFER,
+    GL_ARRAY_BUFFER,      GL_PIXEL_UNPACK_BUFFER,
+    GL_PIXEL_PACK_BUFFER, GL_DRAW_INDIRECT_BUFFER,
+    GL_UNIFORM_BUFFER,    GL_SHADER_STORAGE_BUFFER,
+    GL_QUERY_BUFFER,      GL_COPY_READ_BUFFER,
+    GL_COPY_WRITE_BUFFER, GL_DISPATCH_INDIRECT_BUFFER,
 };
 
 void setPixelStore(GLint alignment, GLint other) {
     for (GLenum name : {GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT}) glPixelStorei(name, alignment);
-    for (GLenum name : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS,
-                        GL_PACK_IMAGE_HEIGHT, GL_PACK_SKIP_IMAGES, GL_UNPACK_ROW_LENGTH,
-                        GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_IMAGE_HEIGHT,
-                        GL_UNPACK_SKIP_IMAGES})
+    for (GLenum name :
+         {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS, GL_PACK_IMAGE_HEIGHT,
+          GL_PACK_SKIP_IMAGES, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
+          GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES})
         glPixelStorei(name, other);
-    for (GLenum name : {GL_PACK_SWAP_BYTES, GL_UNPACK_SWAP_BYTES})
-        glPixelStorei(name, other != 0);
+    for (GLenum name : {GL_PACK_SWAP_BYTES, GL_UNPACK_SWAP_BYTES}) glPixelStorei(name, other != 0);
 }
 
 }  // namespace
@@ -151,9 +167,9 @@ std::vector<std::string> brokenPromises() {
         indexed("uniform buffer", GL_UNIFORM_BUFFER_BINDING, slot);
     for (GLuint unit = 0; unit < kUnits; ++unit) {
         glActiveTexture(GL_TEXTURE0 + unit);
-        for (GLenum what : {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY,
-                            GL_TEXTURE_BINDING_CUBE_MAP, GL_TEXTURE_BINDING_BUFFER,
-                            GL_SAMPLER_BINDING})
+        for (GLenum what :
+             {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_CUBE_MAP,
+              GL_TEXTURE_BINDING_BUFFER, GL_SAMPLER_BINDING})
             integer(("a binding of texture unit " + std::to_string(unit)).c_str(), what, 0);
     }
     glActiveTexture(GL_TEXTURE0);
@@ -178,7 +194,8 @@ std::vector<std::string> brokenPromises() {
     if (mode[0] != GL_FILL) broken.push_back("the polygon mode is not filled.");
     GLint mask[4] = {};
     glGetIntegerv(GL_COLOR_WRITEMASK, mask);
-    if (!mask[0] || !mask[1] || !mask[2] || !mask[3]) broken.push_back("the colour mask is not full.");
+    if (!mask[0] || !mask[1] || !mask[2] || !mask[3])
+        broken.push_back("the colour mask is not full.");
     GLfloat range[2] = {};
     glGetFloatv(GL_DEPTH_RANGE, range);
     if (range[0] != 0 || range[1] != 1) broken.push_back("the depth range is not 0 to 1.");

@@ -1,5 +1,6 @@
-// A small engine that embeds the renderer: its own context, its own drawing before and after, plain arrays in, its own
-// framebuffer out. Of the project it includes one header. Ends with 1 where something is not as promised.
+// A small engine that embeds the renderer: its own context, its own drawing before and after, plain
+// arrays in, its own framebuffer out. Of the project it includes one header. Ends with 1 where
+// something is not as promised.
 #include "renderer/renderer.h"
 
 #include "tests/embed/host_gl.h"
@@ -19,9 +20,10 @@ void expect(bool good, const std::string& what) {
 }
 
 // One side of the cube a line: its normal and two edges.
-const glm::vec3 kSides[6][3] = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
-                                {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
-                                {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}};
+const glm::vec3 kSides[6][3] = {
+    {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+    {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+    {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}};
 
 /// A checkered cube on a plane under the sun, in one renderer.
 class Scene {
@@ -46,8 +48,9 @@ public:
         rushlight::MeshDesc mesh;
         mesh.label = "cube";
         mesh.positions = positions, mesh.normals = normals, mesh.uv0 = uvs, mesh.indices = indices;
-        const std::vector<uint8_t> checker = {255, 40, 40, 255, 250, 250, 250, 255, 30, 30, 30, 255,
-                                              250, 250, 250, 255, 255, 40, 40, 255, 9, 9, 99, 255};
+        const std::vector<uint8_t> checker = {255, 40, 40, 255, 250, 250, 250, 255,
+                                              30,  30, 30, 255, 250, 250, 250, 255,
+                                              255, 40, 40, 255, 9,   9,   99,  255};
         rushlight::MaterialDesc red;
         red.metallic = 0, red.roughness = 0.4f;
         red.baseColorTexture.image = *renderer->createImage({"checker", 3, 2, true, checker});
@@ -59,9 +62,11 @@ public:
 
     void render(GLuint framebuffer) {
         const rushlight::Instance instances[] = {cube_, plane_};
-        const rushlight::DirectionalLight sun{glm::normalize(glm::vec3(-1, -2, -0.5f)), glm::vec3(3)};
+        const rushlight::DirectionalLight sun{glm::normalize(glm::vec3(-1, -2, -0.5f)),
+                                              glm::vec3(3)};
         rushlight::FrameInput frame;
-        frame.view.viewFromWorld = glm::lookAt(glm::vec3(4, 4, 6), glm::vec3(0, 1, 0), glm::vec3(0, 1, 0));
+        frame.view.viewFromWorld = glm::lookAt(glm::vec3(4, 4, 6), glm::vec3(0, 1, 0),
+                                               glm::vec3(0, 1, 0));
         frame.instances = instances;
         frame.lighting.directional = {&sun, 1};
         frame.lighting.ambientSky = {0.2f, 0.3f, 0.5f};

@@ -1,5 +1,6 @@
 #pragma once
-// What a host brings: a GL context of its own, a program and a vertex array of its own, and bad manners.
+// What a host brings: a GL context of its own, a program and a vertex array of its own, and bad
+// manners.
 
 #include <EGL/egl.h>
 #define GL_GLEXT_PROTOTYPES
@@ -53,7 +54,8 @@ public:
     BadManners();
     ~BadManners();
     void misbehave() const;
-    /// Sets back what the renderer does not promise to reset, so that the host's own drawing is as before.
+    /// Sets back what the renderer does not promise to reset, so that the host's own drawing is as
+    /// before.
     static void behave();
     /// Sets everything back as a new context has it.
     static void recover();

@@ -1,6 +1,6 @@
 // moving_scene TESTCARD_DIR DIR: writes the moving test card into DIR.
 
-#include "tests/support/moving_scene.h"
+#include "tests/support/scenes/moving_scene.h"
 
 #include <cstdio>
 

@@ -1,11 +1,13 @@
-// Any bytes as an RLF file, with hashes that fit: it must be refused, or be listed, compared and executed with no harm.
+// Any bytes as an RLF file, with hashes that fit: it must be refused, or be listed, compared and
+// executed with no harm.
 //     cmake --preset fuzz && cmake --build build/fuzz --target frame_file_fuzz
-//     build/fuzz/bin/frame_file_fuzz -max_total_time=60 CORPUS_FOLDER     (rushlight capture --save-frame makes a corpus)
+//     build/fuzz/bin/frame_file_fuzz -max_total_time=60 CORPUS_FOLDER     (rushlight capture
+//     --save-frame makes a corpus)
 #include "renderer/backend/null/null_device.h"
-#include "renderer/commands/frame_diff.h"
-#include "renderer/commands/frame_file.h"
 #include "renderer/replay/replay.h"
-#include "tests/support/sealed_frame.h"
+#include "renderer/rhi/saved/frame_diff.h"
+#include "renderer/rhi/saved/frame_file.h"
+#include "tests/support/gl/sealed_frame.h"
 
 namespace {
 

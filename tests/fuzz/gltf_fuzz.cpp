@@ -25,8 +25,8 @@ const std::string& folder() {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     const bool binary = size >= 4 && std::memcmp(data, "glTF", 4) == 0;
     const std::string path = folder() + (binary ? "/input.glb" : "/input.gltf");
-    std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(data),
-                                                std::streamsize(size));
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(data), std::streamsize(size));
     rushlight::assets::LoadOptions options;
     options.missingImages = rushlight::assets::MissingImages::replace;
     options.maxImagePixels = 1u << 20;

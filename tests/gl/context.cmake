@@ -1,4 +1,4 @@
-add_executable(context_gl_test context_gl_test.cpp)
+add_executable(context_gl_test device/context_gl_test.cpp)
 target_link_libraries(context_gl_test PRIVATE rushlight_context GTest::gtest_main rushlight_options)
 gtest_discover_tests(context_gl_test)
 

@@ -1,9 +1,9 @@
 add_executable(lights_gl_test
-  light_patterns_gl_test.cpp
-  lights_gl_test.cpp
-  ../support/lit_frame.cpp
-  ../support/lit_plane.cpp
-  ../support/test_context.cpp)
+  light/light_patterns_gl_test.cpp
+  light/lights_gl_test.cpp
+  ../support/scenes/lit_frame.cpp
+  ../support/scenes/lit_plane.cpp
+  ../support/gl/test_context.cpp)
 target_include_directories(lights_gl_test PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
 target_link_libraries(lights_gl_test PRIVATE
   rushlight_renderer ${EGL_LIBRARY} GTest::gtest_main rushlight_options)

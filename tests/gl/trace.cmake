@@ -1,6 +1,6 @@
 find_package(nlohmann_json REQUIRED)
 
-add_executable(trace_cli_gl_test trace_cli_gl_test.cpp)
+add_executable(trace_cli_gl_test cli/trace_cli_gl_test.cpp)
 target_compile_definitions(trace_cli_gl_test PRIVATE
   RUSHLIGHT_TOOL="$<TARGET_FILE:rushlight>" RUSHLIGHT_SOURCE="${PROJECT_SOURCE_DIR}")
 target_link_libraries(trace_cli_gl_test PRIVATE

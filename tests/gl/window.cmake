@@ -11,5 +11,5 @@ endif()
 add_test(NAME window.no_display
   COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/window_test.sh no_display $<TARGET_FILE:sandbox>
     ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/window_no_display)
-add_executable(picture_varies picture_varies.cpp)
+add_executable(picture_varies frame/picture_varies.cpp)
 target_link_libraries(picture_varies PRIVATE rushlight_capture rushlight_options)

@@ -53,10 +53,10 @@ view)
 broken_shader)
     cp -r "$source/shaders" shaders
     start --shaders "$work/shaders"
-    cp shaders/passes/tonemap.frag kept.frag
-    echo "this is no shader" >> shaders/passes/tonemap.frag
+    cp shaders/passes/post/tonemap.frag kept.frag
+    echo "this is no shader" >> shaders/passes/post/tonemap.frag
     await "error: .*tonemap"
-    cp kept.frag shaders/passes/tonemap.frag
+    cp kept.frag shaders/passes/post/tonemap.frag
     await "shaders loaded again"
     stop
     ;;

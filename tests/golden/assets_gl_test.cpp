@@ -72,8 +72,8 @@ TEST(Assets, EverySceneIsDrawnOrRefusedWithAReason) {
         SCOPED_TRACE(name);
         const auto start = std::chrono::steady_clock::now();
         const Outcome outcome = draw(**renderer, scene);
-        const std::chrono::duration<double, std::milli> elapsed =
-            std::chrono::steady_clock::now() - start;
+        const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() -
+                                                                  start;
         for (const std::string& message : (*renderer)->takeDebugMessages())
             ADD_FAILURE() << "OpenGL says: " << message;
         std::printf("%-75s %6.0f ms  %s\n", name.c_str(), elapsed.count(), outcome.text.c_str());

@@ -1,4 +1,5 @@
-// The same scene gives the same bytes: for every run, number of threads and kind of context of one driver.
+// The same scene gives the same bytes: for every run, number of threads and kind of context of one
+// driver.
 
 #include "engine/jobs/tbb_jobs.h"
 #include "renderer/capture/image_files.h"
@@ -28,7 +29,8 @@ Result<Rendered> render(const std::string& scene, GlLoadFunction loadGl, uint32_
     desc.jobs = jobs.get();
     const auto renderer = Renderer::create(desc);
     if (!renderer) return tl::unexpected(renderer.error());
-    const auto frames = SceneFrames::open(**renderer, scene, RUSHLIGHT_SOURCE "/content/square/dusk.hdr");
+    const auto frames = SceneFrames::open(**renderer, scene,
+                                          RUSHLIGHT_SOURCE "/content/square/dusk.hdr");
     if (!frames) return tl::unexpected(frames.error());
     // Every shadow map is drawn in the hashed frame too.
     SceneView view;

@@ -40,20 +40,24 @@ struct Fault {
 };
 
 const Fault kFaults[] = {
-    {"testcard", "passes/gbuffer.frag", "encodeGBuffer(s.baseColor.rgb, s.metallic, s.normal,",
+    {"testcard", "passes/surface/gbuffer.frag",
+     "encodeGBuffer(s.baseColor.rgb, s.metallic, s.normal,",
      "encodeGBuffer(s.baseColor.rgb, s.metallic, -s.normal,"},
-    {"square", "common/material.glsl", "t * local.x + b * local.y", "t * local.x - b * local.y"},
-    {"testcard", "common/lighting.glsl", "light *= sunVisibility(s, l);", ""},
-    {"testcard_dusk", "common/lighting.glsl", "light *= sunVisibility(s, l);", ""},
-    {"testcard", "common/material.glsl", "vec2 factors = unpackUnorm2x16(material.texel0.z);",
+    {"square", "common/surface/material.glsl", "t * local.x + b * local.y",
+     "t * local.x - b * local.y"},
+    {"testcard", "common/light/lighting.glsl", "light *= sunVisibility(s, l);", ""},
+    {"testcard_dusk", "common/light/lighting.glsl", "light *= sunVisibility(s, l);", ""},
+    {"testcard", "common/surface/material.glsl",
+     "vec2 factors = unpackUnorm2x16(material.texel0.z);",
      "vec2 factors = unpackUnorm2x16(material.texel0.z).yx;"},
-    {"testcard", "passes/tonemap.frag", "float exposure = flatSettings.y;",
+    {"testcard", "passes/post/tonemap.frag", "float exposure = flatSettings.y;",
      "float exposure = flatSettings.y * 1.03;"},
-    {"square", "passes/tonemap.frag", "float exposure = flatSettings.y;",
+    {"square", "passes/post/tonemap.frag", "float exposure = flatSettings.y;",
      "float exposure = flatSettings.y * 1.03;"},
-    {"testcard_normal", "common/gbuffer.glsl", "packNormal(normal)", "packNormal(normal.xzy)"},
-    {"testcard_basecolor", "common/gbuffer.glsl", "s.baseColor = t.target0.rgb * t.target0.rgb;",
-     "s.baseColor = t.target0.rgb;"},
+    {"testcard_normal", "common/surface/gbuffer.glsl", "packNormal(normal)",
+     "packNormal(normal.xzy)"},
+    {"testcard_basecolor", "common/surface/gbuffer.glsl",
+     "s.baseColor = t.target0.rgb * t.target0.rgb;", "s.baseColor = t.target0.rgb;"},
 };
 
 const Golden& goldenNamed(std::string_view name) {

@@ -42,8 +42,8 @@ std::span<const Golden> goldens() {
 }
 
 Result<golden::Frame> renderGolden(const Golden& golden, golden::Offscreen& offscreen) {
-    const std::string environment =
-        *golden.environment ? kContent + std::string(golden.environment) : std::string();
+    const std::string environment = *golden.environment ? kContent + std::string(golden.environment)
+                                                        : std::string();
     return offscreen.renderScene(kContent + std::string(golden.scene), golden.view, environment);
 }
 

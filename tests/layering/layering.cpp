@@ -19,46 +19,79 @@ struct Layer {
     std::vector<std::string_view> allowed;
 };
 
+/// Rooms of the renderer and what else of it their files may include; `interop` is shaders/interop.
+/// One way: a room may know those above it.
 const std::vector<Layer>& layers() {
     static const std::vector<Layer> table = {
         {"engine/core/", {"engine/core/"}},
         {"engine/", {"engine/"}},
         {"shaders/", {"interop/", "engine/core/"}},
-        {"renderer/commands/",
-         {"engine/core/", "renderer/commands/", "shaders/interop/", "interop/"}},
-        {"renderer/replay/",
-         {"engine/core/", "renderer/commands/", "renderer/replay/", "renderer/backend/device.h"}},
-        {"renderer/context/", {"engine/core/", "renderer/context/"}},
-        {"renderer/backend/",
-         {"engine/core/", "renderer/commands/", "renderer/backend/device.h",
-          "renderer/backend/threaded_device.h", "renderer/backend/validate.h", "shaders/interop/",
-          "interop/"}},
-        {"renderer/backend/gl/",
-         {"engine/core/", "renderer/commands/", "renderer/backend/device.h",
-          "renderer/backend/validate.h", "renderer/backend/gl/", "shaders/interop/", "interop/"}},
-        {"renderer/backend/null/",
-         {"engine/core/", "renderer/commands/", "renderer/backend/device.h",
-          "renderer/backend/validate.h", "renderer/backend/null/"}},
+        {"renderer/rhi/", {"engine/core/", "shaders/interop/", "interop/", "renderer/rhi/"}},
         {"renderer/frame/",
-         {"engine/core/", "renderer/commands/", "renderer/frame/", "renderer/backend/device.h",
-          "renderer/backend/validate.h", "shaders/interop/", "interop/"}},
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/frame/", "renderer/rhi/"}},
+        {"renderer/geometry/",
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/geometry/", "renderer/frame/",
+          "renderer/rhi/"}},
+        {"renderer/materials/",
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/materials/", "renderer/frame/",
+          "renderer/rhi/"}},
+        {"renderer/lighting/",
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/lighting/", "renderer/frame/",
+          "renderer/geometry/", "renderer/rhi/"}},
+        {"renderer/resources/",
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/resources/", "renderer/frame/",
+          "renderer/geometry/", "renderer/lighting/", "renderer/materials/", "renderer/rhi/"}},
+        {"renderer/lighting/clusters/",
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/lighting/clusters/",
+          "renderer/frame/", "renderer/geometry/", "renderer/lighting/", "renderer/resources/",
+          "renderer/rhi/"}},
+        {"renderer/visibility/occlusion/", {"engine/core/", "renderer/visibility/occlusion/"}},
+        {"renderer/visibility/",
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/visibility/", "renderer/frame/",
+          "renderer/geometry/", "renderer/materials/", "renderer/resources/", "renderer/rhi/"}},
+        {"renderer/shadows/",
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/shadows/", "renderer/frame/",
+          "renderer/geometry/", "renderer/lighting/", "renderer/materials/", "renderer/resources/",
+          "renderer/rhi/", "renderer/visibility/"}},
+        {"renderer/plan/",
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/plan/", "renderer/frame/",
+          "renderer/rhi/"}},
         {"renderer/passes/",
-         {"engine/core/", "renderer/commands/", "renderer/frame/", "renderer/passes/",
-          "renderer/backend/device.h", "shaders/interop/", "interop/"}},
-        {"renderer/scene_bridge/", {"engine/", "renderer/", "shaders/interop/", "interop/"}},
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/passes/", "renderer/frame/",
+          "renderer/geometry/", "renderer/lighting/", "renderer/materials/", "renderer/plan/",
+          "renderer/resources/", "renderer/rhi/", "renderer/shadows/", "renderer/visibility/"}},
+        {"renderer/replay/", {"engine/core/", "renderer/replay/", "renderer/rhi/"}},
+        {"renderer/pipeline/",
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/pipeline/", "renderer/frame/",
+          "renderer/geometry/", "renderer/lighting/", "renderer/materials/", "renderer/passes/",
+          "renderer/plan/", "renderer/replay/", "renderer/resources/", "renderer/rhi/",
+          "renderer/shadows/", "renderer/visibility/"}},
+        {"renderer/context/", {"engine/core/", "renderer/context/"}},
+        {"renderer/backend/gl/",
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/backend/gl/", "renderer/rhi/"}},
+        {"renderer/backend/null/",
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/backend/null/",
+          "renderer/rhi/"}},
+        {"renderer/raytrace/",
+         {"engine/core/", "shaders/interop/", "interop/", "renderer/raytrace/", "renderer/frame/",
+          "renderer/geometry/", "renderer/lighting/", "renderer/materials/"}},
+        {"renderer/answers/", {"engine/core/", "shaders/interop/", "interop/", "renderer/"}},
+        {"renderer/capture/", {"engine/core/", "shaders/interop/", "interop/", "renderer/"}},
         {"renderer/testing/", {"engine/core/", "engine/assets/", "renderer/"}},
-        {"renderer/", {"engine/core/", "renderer/", "shaders/interop/", "interop/"}},
+        {"renderer/scene_bridge/", {"engine/", "renderer/", "shaders/interop/", "interop/"}},
+        {"renderer/renderer.", {"engine/core/", "renderer/"}},
         {"sandbox/", {"engine/", "renderer/", "sandbox/", "content/", "shaders/interop/"}},
         {"content/", {"engine/", "renderer/", "content/", "shaders/interop/"}},
-        {"tests/", {"engine/", "renderer/", "sandbox/", "content/", "tests/", "shaders/", "interop/"}},
+        {"tests/",
+         {"engine/", "renderer/", "sandbox/", "content/", "tests/", "shaders/", "interop/"}},
     };
     return table;
 }
 
 constexpr std::string_view kGlFolders[] = {"renderer/backend/gl/", "renderer/context/", "tests/"};
 constexpr std::string_view kGlfwFolders[] = {"renderer/context/", "sandbox/viewer/", "tests/"};
-constexpr std::string_view kGlHeaders[] = {"GL/",     "EGL/",   "GLES2/", "GLES3/",
-                                           "KHR/",    "epoxy/", "glad/",  "imgui_impl_opengl"};
+constexpr std::string_view kGlHeaders[] = {"GL/",  "EGL/",   "GLES2/", "GLES3/",
+                                           "KHR/", "epoxy/", "glad/",  "imgui_impl_opengl"};
 
 template <class Prefixes>
 bool startsWithAny(std::string_view text, const Prefixes& prefixes) {
@@ -97,7 +130,8 @@ private:
         const std::string name = path.lexically_relative(root_).generic_string();
         const std::string extension = path.extension();
         if (extension == ".h" || extension == ".cpp") sources_[name] = readText(path);
-        if (extension == ".cmake" || path.filename() == "CMakeLists.txt") lists_[name] = readText(path);
+        if (extension == ".cmake" || path.filename() == "CMakeLists.txt")
+            lists_[name] = readText(path);
         if (name.starts_with("shaders/") && extension != ".cmake" && extension != ".txt")
             shaders_.insert(name.substr(8));
     }
@@ -112,6 +146,7 @@ private:
             if (name.starts_with(candidate.folder) &&
                 (!layer || candidate.folder.size() > layer->folder.size()))
                 layer = &candidate;
+        if (!layer) return report(name, "is in no room of the layering table.");
         const bool gl = startsWithAny(name, kGlFolders), glfw = startsWithAny(name, kGlfwFolders);
         bool seesScene = false, seesFrame = false;
         for (const Include& include : includesOf(text)) {
@@ -122,8 +157,10 @@ private:
             if ((ofProject || include.quoted) && !startsWithAny(path, layer->allowed))
                 report(name, "includes " + path + ", which files of " + std::string(layer->folder) +
                                  " must not.");
-            if (!gl && startsWithAny(path, kGlHeaders)) report(name, "includes the GL header " + path + ".");
-            if (!glfw && path.starts_with("GLFW/")) report(name, "includes the window header " + path + ".");
+            if (!gl && startsWithAny(path, kGlHeaders))
+                report(name, "includes the GL header " + path + ".");
+            if (!glfw && path.starts_with("GLFW/"))
+                report(name, "includes the window header " + path + ".");
             seesScene |= path.starts_with("engine/scene/");
             seesFrame |= path.starts_with("renderer/frame/");
         }
@@ -139,7 +176,8 @@ private:
         const std::string file = fs::path(script).filename();
         for (const auto& [name, text] : lists_) {
             const std::string code = cmakeCodeOf(text);
-            for (size_t at = code.find("include("); at != code.npos; at = code.find("include(", at + 1))
+            for (size_t at = code.find("include("); at != code.npos;
+                 at = code.find("include(", at + 1))
                 if (code.substr(at, code.find(')', at) - at).ends_with(file)) return true;
         }
         return false;
@@ -177,7 +215,8 @@ private:
         for (const std::string& shader : shaders_)
             if (!listed.contains(shader)) report("shaders/" + shader, "is not in " + file + ".");
         for (const std::string& shader : listed)
-            if (!shaders_.contains(shader)) report(file, "lists " + shader + ", which does not exist.");
+            if (!shaders_.contains(shader))
+                report(file, "lists " + shader + ", which does not exist.");
     }
 
     fs::path root_;
@@ -188,6 +227,8 @@ private:
 
 }  // namespace
 
-std::vector<std::string> findLayeringViolations(const fs::path& root) { return Checker(root).run(); }
+std::vector<std::string> findLayeringViolations(const fs::path& root) {
+    return Checker(root).run();
+}
 
 }  // namespace rushlight

@@ -1,5 +1,6 @@
 #pragma once
-// The house's rules about who may know whom, checked in the sources: includes, GL, and lists of files.
+// The house's rules about who may know whom, checked in the sources: includes, GL, and lists of
+// files.
 
 #include <filesystem>
 #include <string>
@@ -7,7 +8,8 @@
 
 namespace rushlight {
 
-/// Walks the project's folders under `root`. One sentence for every violation, sorted; each begins with the file.
+/// Walks the project's folders under `root`. One sentence for every violation, sorted; each begins
+/// with the file.
 std::vector<std::string> findLayeringViolations(const std::filesystem::path& root);
 
 }  // namespace rushlight

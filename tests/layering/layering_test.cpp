@@ -24,8 +24,10 @@ protected:
         tree.write("engine/core/a.cpp", "#include \"engine/core/a.h\"\n");
         tree.write("engine/scene/s.h", "#include \"engine/core/a.h\"\n");
         tree.write("renderer/list.cmake", "add_library(r frame/f.cpp backend/gl/g.cpp)\n");
-        tree.write("renderer/frame/f.h", "#include \"engine/core/a.h\"\nint glCalls = 0; // glClear()\n");
-        tree.write("renderer/frame/f.cpp", "#include \"renderer/frame/f.h\"\nauto t = \"glClear(GL_X)\";\n");
+        tree.write("renderer/frame/f.h",
+                   "#include \"engine/core/a.h\"\nint glCalls = 0; // glClear()\n");
+        tree.write("renderer/frame/f.cpp",
+                   "#include \"renderer/frame/f.h\"\nauto t = \"glClear(GL_X)\";\n");
         tree.write("renderer/backend/gl/g.cpp", "#include <GL/glcorearb.h>\nint x = GL_ONE;\n");
         tree.write("shaders/files.cmake", "set(FILES\n  common/c.glsl\n)\n");
         tree.write("shaders/common/c.glsl", "");
@@ -85,10 +87,12 @@ TEST_F(PlantedTree, PassThatKnowsTheGlBackend) {
     expectOne("renderer/passes/p.h", "gl_state.h");
 }
 TEST_F(PlantedTree, SandboxThatDoesTheBridgesWork) {
-    tree.write("sandbox/tool/t.h", "#include \"engine/scene/s.h\"\n#include \"renderer/frame/f.h\"\n");
+    tree.write("sandbox/tool/t.h",
+               "#include \"engine/scene/s.h\"\n#include \"renderer/frame/f.h\"\n");
     expectOne("sandbox/tool/t.h", "only the bridge");
     tree.write("sandbox/tool/t.h", "");
-    tree.write("renderer/scene_bridge/b.h", "#include \"engine/scene/s.h\"\n#include \"renderer/frame/f.h\"\n");
+    tree.write("renderer/scene_bridge/b.h",
+               "#include \"engine/scene/s.h\"\n#include \"renderer/frame/f.h\"\n");
     EXPECT_EQ(findLayeringViolations(tree.path()), std::vector<std::string>{});
 }
 TEST_F(PlantedTree, IncludeWithNoFolder) {
@@ -96,7 +100,8 @@ TEST_F(PlantedTree, IncludeWithNoFolder) {
     expectOne("renderer/frame/f.h", "other.h");
 }
 TEST_F(PlantedTree, GlobbedSources) {
-    tree.write("renderer/list.cmake", "file(GLOB s *.cpp)\nadd_library(r frame/f.cpp backend/gl/g.cpp)\n");
+    tree.write("renderer/list.cmake",
+               "file(GLOB s *.cpp)\nadd_library(r frame/f.cpp backend/gl/g.cpp)\n");
     expectOne("renderer/list.cmake", "file(GLOB");
 }
 TEST_F(PlantedTree, ScriptsMayLookForFiles) {
@@ -128,7 +133,8 @@ TEST(SourceText, CodeIsWhatIsNeitherCommentNorLiteral) {
 TEST(SourceText, GlIsNamedByCallsConstantsAndTypes) {
     for (const char* gl : {"glClear(1)", "x = GL_ONE", "PFNGLCLEARPROC f", "GLuint x"})
         EXPECT_NE(glIdentifierIn(gl), "") << gl;
-    for (const char* other : {"glCalls = 1", "r.glCalls(1)", "GLFW_KEY_A", "GLSL", "global(1)", "RL_GL_X"})
+    for (const char* other :
+         {"glCalls = 1", "r.glCalls(1)", "GLFW_KEY_A", "GLSL", "global(1)", "RL_GL_X"})
         EXPECT_EQ(glIdentifierIn(other), "") << other;
 }
 

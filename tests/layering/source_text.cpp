@@ -12,8 +12,8 @@ bool isUpper(char c) { return std::isupper(static_cast<unsigned char>(c)); }
 
 // OpenGL 4.5 core, table 2.2
 constexpr std::array<std::string_view, 16> kGlTypes = {
-    "GLboolean", "GLbyte",  "GLubyte",  "GLchar",    "GLshort",  "GLushort",   "GLint",   "GLuint",
-    "GLsizei",   "GLenum",  "GLintptr", "GLbitfield", "GLfloat", "GLsizeiptr", "GLdouble", "GLsync"};
+    "GLboolean", "GLbyte", "GLubyte",  "GLchar",     "GLshort", "GLushort",   "GLint",    "GLuint",
+    "GLsizei",   "GLenum", "GLintptr", "GLbitfield", "GLfloat", "GLsizeiptr", "GLdouble", "GLsync"};
 
 bool namesGl(std::string_view word, char before, char after) {
     if (word.starts_with("GL_") || word.starts_with("PFNGL")) return true;
@@ -43,7 +43,8 @@ std::vector<Include> includesOf(std::string_view source) {
         if (line.empty() || (line[0] != '"' && line[0] != '<')) continue;
         const char close = line[0] == '"' ? '"' : '>';
         const size_t last = line.find(close, 1);
-        if (last != line.npos) includes.push_back({std::string(line.substr(1, last - 1)), close == '"'});
+        if (last != line.npos)
+            includes.push_back({std::string(line.substr(1, last - 1)), close == '"'});
     }
     return includes;
 }

@@ -16,7 +16,8 @@ std::vector<Include> includesOf(std::string_view source);
 /// Without comments, string and character literals; lines stay lines.
 std::string codeOf(std::string_view source);
 
-/// The first identifier of `code` that calls or names OpenGL: glXxx(, GL_XXX, PFNGLXXX, GLuint and its like.
+/// The first identifier of `code` that calls or names OpenGL: glXxx(, GL_XXX, PFNGLXXX, GLuint and
+/// its like.
 std::string glIdentifierIn(std::string_view code);
 
 /// Words of a CMake file that end in `ending`, without comments.

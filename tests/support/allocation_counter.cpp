@@ -20,7 +20,8 @@ void* allocate(std::size_t size, std::size_t alignment) {
 
 uint64_t rushlight::allocationsOnThisThread() { return allocations; }
 
-// The array forms of the library end up in these; so do its nothrow forms, but not those of the address sanitizer.
+// The array forms of the library end up in these; so do its nothrow forms, but not those of the
+// address sanitizer.
 void* operator new(std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
     return allocate(size, std::size_t(alignment));

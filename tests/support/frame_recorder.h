@@ -36,34 +36,50 @@ public:
 
     std::string_view name() const override { return "recorder"; }
     std::string_view version() const override { return ""; }
-    Result<BufferHandle> createBuffer(const BufferDesc& d) override { return null_->createBuffer(d); }
-    Result<TextureHandle> createTexture(const TextureDesc& d) override { return null_->createTexture(d); }
+    Result<BufferHandle> createBuffer(const BufferDesc& d) override {
+        return null_->createBuffer(d);
+    }
+    Result<TextureHandle> createTexture(const TextureDesc& d) override {
+        return null_->createTexture(d);
+    }
     SamplerHandle createSampler(const SamplerDesc& d) override { return null_->createSampler(d); }
-    Result<PipelineHandle> createPipeline(const PipelineDesc& d) override { return null_->createPipeline(d); }
+    Result<PipelineHandle> createPipeline(const PipelineDesc& d) override {
+        return null_->createPipeline(d);
+    }
     void destroy(BufferHandle buffer) override { null_->destroy(buffer); }
     void destroy(TextureHandle texture) override { null_->destroy(texture); }
     void write(BufferHandle buffer, uint64_t offset, std::span<const std::byte> data) override {
         null_->write(buffer, offset, data);
     }
-    void write(TextureHandle t, const TextureRegion& region, std::span<const std::byte> data) override {
+    void write(TextureHandle t, const TextureRegion& region,
+               std::span<const std::byte> data) override {
         null_->write(t, region, data);
     }
-    void copy(BufferHandle from, BufferHandle to, uint64_t size) override { null_->copy(from, to, size); }
+    void copy(BufferHandle from, BufferHandle to, uint64_t size) override {
+        null_->copy(from, to, size);
+    }
     void read(BufferHandle buffer, uint64_t offset, std::span<std::byte> out) override {
         null_->read(buffer, offset, out);
     }
-    void read(TextureHandle texture, uint32_t level, uint32_t layer, std::span<std::byte> out) override {
+    void read(TextureHandle texture, uint32_t level, uint32_t layer,
+              std::span<std::byte> out) override {
         null_->read(texture, level, layer, out);
     }
     std::optional<BufferDesc> describe(BufferHandle h) const override { return null_->describe(h); }
-    std::optional<TextureDesc> describe(TextureHandle h) const override { return null_->describe(h); }
-    std::optional<SamplerDesc> describe(SamplerHandle h) const override { return null_->describe(h); }
-    std::optional<PipelineDesc> describe(PipelineHandle h) const override { return null_->describe(h); }
+    std::optional<TextureDesc> describe(TextureHandle h) const override {
+        return null_->describe(h);
+    }
+    std::optional<SamplerDesc> describe(SamplerHandle h) const override {
+        return null_->describe(h);
+    }
+    std::optional<PipelineDesc> describe(PipelineHandle h) const override {
+        return null_->describe(h);
+    }
     void execute(const CommandBuffer& commands, const ExecuteOptions& options,
                  ExecutionReport& report) override {
         log_.gate.pass();
-        log_.frames.push_back(hashBytes(commands.data().data(), commands.data().size(),
-                                        hashText(print(commands))));
+        log_.frames.push_back(
+            hashBytes(commands.data().data(), commands.data().size(), hashText(print(commands))));
         log_.threads.push_back(std::this_thread::get_id());
         null_->execute(commands, options, report);
     }

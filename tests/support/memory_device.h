@@ -39,12 +39,16 @@ public:
         if (made) (textures[*made] = desc).label = {};
         return made;
     }
-    SamplerHandle createSampler(const SamplerDesc& desc) override { return null_->createSampler(desc); }
+    SamplerHandle createSampler(const SamplerDesc& desc) override {
+        return null_->createSampler(desc);
+    }
     Result<PipelineHandle> createPipeline(const PipelineDesc& desc) override {
         return null_->createPipeline(desc);
     }
     void destroy(BufferHandle buffer) override { buffers.erase(buffer), null_->destroy(buffer); }
-    void destroy(TextureHandle texture) override { textures.erase(texture), null_->destroy(texture); }
+    void destroy(TextureHandle texture) override {
+        textures.erase(texture), null_->destroy(texture);
+    }
     void write(BufferHandle buffer, uint64_t offset, std::span<const std::byte> data) override {
         null_->write(buffer, offset, data);
         std::ranges::copy(data, buffers.at(buffer).begin() + std::ptrdiff_t(offset));
@@ -59,9 +63,15 @@ public:
         std::copy_n(buffers.at(from).begin(), size, buffers.at(to).begin());
     }
     std::optional<BufferDesc> describe(BufferHandle b) const override { return null_->describe(b); }
-    std::optional<TextureDesc> describe(TextureHandle t) const override { return null_->describe(t); }
-    std::optional<SamplerDesc> describe(SamplerHandle s) const override { return null_->describe(s); }
-    std::optional<PipelineDesc> describe(PipelineHandle p) const override { return null_->describe(p); }
+    std::optional<TextureDesc> describe(TextureHandle t) const override {
+        return null_->describe(t);
+    }
+    std::optional<SamplerDesc> describe(SamplerHandle s) const override {
+        return null_->describe(s);
+    }
+    std::optional<PipelineDesc> describe(PipelineHandle p) const override {
+        return null_->describe(p);
+    }
     void read(BufferHandle buffer, uint64_t offset, std::span<std::byte> out) override {
         null_->read(buffer, offset, out);
         std::copy_n(buffers.at(buffer).begin() + std::ptrdiff_t(offset), out.size(), out.begin());

@@ -2,7 +2,7 @@
 // Distances that irradiance probes see, at random, as smooth as those of walls are.
 
 #include "interop/irradiance_volume.h"
-#include "renderer/frame/irradiance_volume.h"
+#include "renderer/lighting/irradiance_volume.h"
 #include "tests/support/random.h"
 
 namespace rushlight {

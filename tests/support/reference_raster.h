@@ -10,7 +10,11 @@
 namespace rushlight {
 
 /// What a GPU may do to the corners of a triangle on the screen.
-enum class VertexGrid { exact, nearest, down };  ///< the last two on 1/256 pixel, after a transform in float
+enum class VertexGrid {
+    exact,
+    nearest,
+    down
+};  ///< the last two on 1/256 pixel, after a transform in float
 
 struct ReferenceObject {
     std::span<const vec3> positions;
@@ -22,10 +26,15 @@ struct ReferenceObject {
 class ReferenceRaster {
 public:
     ReferenceRaster(uint32_t width, uint32_t height, const mat4& clipFromWorld, VertexGrid grid)
-        : width_(width), height_(height), clipFromWorld_(clipFromWorld), grid_(grid),
-          ids(size_t(width) * height, -1), depths(size_t(width) * height, 0) {}
+        : width_(width),
+          height_(height),
+          clipFromWorld_(clipFromWorld),
+          grid_(grid),
+          ids(size_t(width) * height, -1),
+          depths(size_t(width) * height, 0) {}
 
-    /// Reversed z: greater is nearer. The top left rule, so that each sample on an inner edge is drawn once.
+    /// Reversed z: greater is nearer. The top left rule, so that each sample on an inner edge is
+    /// drawn once.
     void draw(const ReferenceObject& object, int id);
 
 private:

@@ -19,7 +19,8 @@ inline std::string readAll(FILE* pipe) {
     return text;
 }
 
-/// Runs the tool; `folder` gets its standard error for a moment. `before`: of the shell's, as "ulimit -t 9;".
+/// Runs the tool; `folder` gets its standard error for a moment. `before`: of the shell's, as
+/// "ulimit -t 9;".
 inline Ended runTool(const std::string& folder, const std::string& arguments,
                      const std::string& before = {}) {
     Ended result;

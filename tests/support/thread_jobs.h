@@ -9,14 +9,15 @@
 
 namespace rushlight {
 
-/// As many threads as asked for, whatever the machine has, taking ranges from the last to the first: what depends on
-/// the order or on which thread does what shows.
+/// As many threads as asked for, whatever the machine has, taking ranges from the last to the
+/// first: what depends on the order or on which thread does what shows.
 class ThreadJobs final : public JobSystem {
 public:
     explicit ThreadJobs(uint32_t threads) : threads_(threads) {}
     uint32_t concurrency() const override { return threads_; }
 
-    void parallelFor(uint32_t count, uint32_t grain, RangeFunction function, void* context) override {
+    void parallelFor(uint32_t count, uint32_t grain, RangeFunction function,
+                     void* context) override {
         std::atomic<uint32_t> left = (count + grain - 1) / grain;
         const auto work = [&] {
             for (uint32_t range = left.load(); range > 0;) {

@@ -1,3 +1,3 @@
-add_executable(capture_test compare_test.cpp flip_published_test.cpp image_files_test.cpp)
+add_executable(capture_test capture/compare_test.cpp capture/flip_published_test.cpp capture/image_files_test.cpp)
 target_link_libraries(capture_test PRIVATE rushlight_capture GTest::gtest_main rushlight_options)
 gtest_discover_tests(capture_test)

@@ -1,4 +1,4 @@
-add_executable(cli_test cli_test.cpp)
+add_executable(cli_test sandbox/cli_test.cpp)
 target_compile_definitions(cli_test PRIVATE RUSHLIGHT_TOOL="$<TARGET_FILE:rushlight>")
 target_link_libraries(cli_test PRIVATE GTest::gtest_main rushlight_capture rushlight_options)
 add_dependencies(cli_test rushlight)

@@ -1,3 +1,3 @@
-add_executable(golden_test golden_test.cpp)
+add_executable(golden_test capture/golden_test.cpp)
 target_link_libraries(golden_test PRIVATE rushlight_testing GTest::gtest_main rushlight_options)
 gtest_discover_tests(golden_test)

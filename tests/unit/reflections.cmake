@@ -1,4 +1,4 @@
-add_executable(reflection_probes_test reflection_probes_test.cpp)
+add_executable(reflection_probes_test lighting/reflection_probes_test.cpp)
 target_include_directories(reflection_probes_test PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
 target_link_libraries(reflection_probes_test PRIVATE
   rushlight_renderer rushlight_frame rushlight_options GTest::gtest_main)

@@ -1,5 +1,5 @@
 find_package(nlohmann_json REQUIRED)
-add_executable(scene_bridge_test scene_bridge_test.cpp)
+add_executable(scene_bridge_test assets/scene_bridge_test.cpp)
 target_link_libraries(scene_bridge_test PRIVATE
   rushlight_scene_bridge rushlight_assets nlohmann_json::nlohmann_json GTest::gtest_main rushlight_options)
 gtest_discover_tests(scene_bridge_test)

@@ -1,8 +1,8 @@
 add_executable(viewer_test
-  file_watch_test.cpp
-  input_script_test.cpp
-  lamps_test.cpp
-  square_walk_test.cpp)
+  sandbox/file_watch_test.cpp
+  sandbox/input_script_test.cpp
+  sandbox/lamps_test.cpp
+  sandbox/square_walk_test.cpp)
 target_compile_definitions(viewer_test PRIVATE RUSHLIGHT_CONTENT="${PROJECT_SOURCE_DIR}/content")
 target_link_libraries(viewer_test PRIVATE
   rushlight_game rushlight_assets GTest::gtest_main rushlight_options)

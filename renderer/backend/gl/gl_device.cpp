@@ -2,7 +2,7 @@
 
 #include "renderer/backend/gl/gl_debug.h"
 #include "renderer/backend/gl/gl_executor.h"
-#include "renderer/backend/validate.h"
+#include "renderer/rhi/validate.h"
 
 #include <algorithm>
 #include <cstring>
@@ -56,12 +56,20 @@ uint32_t offsetAlignmentOf(const GlFunctions& gl) {
 class GlDevice final : public Device {
 public:
     GlDevice(std::unique_ptr<GlFunctions> functions, const GlDeviceDesc& desc)
-        : functions_(std::move(functions)), gl_(*functions_), name_(textOf(gl_, GL_RENDERER)),
-          version_(textOf(gl_, GL_VERSION)), limits_(limitsOf(gl_)),
-          maxAnisotropy_(maxAnisotropyOf(gl_)), debug_(gl_, desc.debugOutput), state_(gl_),
-          resources_(gl_), programs_(gl_, state_, desc.shaderDirectory, desc.cacheDirectory, desc.log),
-          vertexArrays_(gl_, state_), ring_(gl_, desc.framesInFlight, offsetAlignmentOf(gl_)),
-          timers_(gl_), readback_(gl_) {}
+        : functions_(std::move(functions)),
+          gl_(*functions_),
+          name_(textOf(gl_, GL_RENDERER)),
+          version_(textOf(gl_, GL_VERSION)),
+          limits_(limitsOf(gl_)),
+          maxAnisotropy_(maxAnisotropyOf(gl_)),
+          debug_(gl_, desc.debugOutput),
+          state_(gl_),
+          resources_(gl_),
+          programs_(gl_, state_, desc.shaderDirectory, desc.cacheDirectory, desc.log),
+          vertexArrays_(gl_, state_),
+          ring_(gl_, desc.framesInFlight, offsetAlignmentOf(gl_)),
+          timers_(gl_),
+          readback_(gl_) {}
     ~GlDevice() override {
         for (const GlTexelUnit& unit : texelUnits_)
             if (unit.texture) gl_.DeleteTextures(1, &unit.texture);
@@ -142,9 +150,10 @@ bool GlDevice::isLost() {
     const char* const whose = reset == GL_GUILTY_CONTEXT_RESET     ? "by something this context did"
                               : reset == GL_INNOCENT_CONTEXT_RESET ? "by something outside of it"
                                                                    : "for an unknown reason";
-    status_ = fail("OpenGL", std::string("the context was reset, ") + whose +
-                                 "; its objects are gone. Destroy the renderer and create another one "
-                                 "in a new context.",
+    status_ = fail("OpenGL",
+                   std::string("the context was reset, ") + whose +
+                       "; its objects are gone. Destroy the renderer and create another one "
+                       "in a new context.",
                    ErrorKind::noContext);
     return true;
 }
@@ -169,7 +178,10 @@ Result<PipelineHandle> GlDevice::createPipeline(const PipelineDesc& desc) {
     if (Result<void> valid = validate(desc); !valid) return tl::unexpected(valid.error());
     return programs_.get(desc).map([&](uint32_t program) {
         return resources_.pipelines.insert(
-            {program, desc.layout, desc.movingInstances, desc.lines,
+            {program,
+             desc.layout,
+             desc.movingInstances,
+             desc.lines,
              {desc.cull, desc.depthTest, desc.depthWrite, desc.depthClamp, desc.depthBias,
               desc.depthBiasSlope, desc.blend},
              std::string(desc.label)});
@@ -297,9 +309,9 @@ void GlDevice::execute(const CommandBuffer& commands, const ExecuteOptions& opti
     state_.invalidate();
     timers_.beginFrame(options.timers, options.frame, report.began);
     report.gpuFrame = timers_.newestFrame();
-    GlExecutor executor({gl_, state_, resources_, programs_, vertexArrays_, ring_, timers_,
-                         readback_, texelUnits_},
-                        options, report);
+    GlExecutor executor(
+        {gl_, state_, resources_, programs_, vertexArrays_, ring_, timers_, readback_, texelUnits_},
+        options, report);
     visitCommands(commands, [&](const auto& command) {
         if (executor.outcome()) executor(command);
     });

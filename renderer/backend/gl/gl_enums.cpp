@@ -5,6 +5,7 @@
 namespace rushlight {
 namespace {
 
+// clang-format off
 // Indexed by Format.
 constexpr GlFormat kFormats[] = {
     {GL_NONE,               GL_NONE,            GL_NONE},
@@ -37,6 +38,7 @@ constexpr GLenum kCompares[] = {GL_ALWAYS, GL_GEQUAL, GL_GREATER, GL_EQUAL, GL_L
 // By texture filter, then mip filter.
 constexpr GLenum kMipFilters[2][2] = {{GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST_MIPMAP_LINEAR},
                                       {GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_LINEAR}};
+// clang-format on
 
 }  // namespace
 

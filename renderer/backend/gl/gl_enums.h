@@ -1,7 +1,7 @@
 #pragma once
 // The one translation from the project's enumerations to GL's.
 
-#include "renderer/commands/resources.h"
+#include "renderer/rhi/resources.h"
 
 #include <GL/glcorearb.h>
 

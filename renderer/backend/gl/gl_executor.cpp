@@ -11,20 +11,22 @@ namespace {
 
 const void* asOffset(GLintptr offset) { return reinterpret_cast<const void*>(offset); }
 
-std::string_view nameOf(const BeginPass& pass) { return {pass.name, strnlen(pass.name, sizeof pass.name)}; }
+std::string_view nameOf(const BeginPass& pass) {
+    return {pass.name, strnlen(pass.name, sizeof pass.name)};
+}
 
 }  // namespace
 
 GlExecutor::Source GlExecutor::resolve(const BufferRange& range) const {
-    if (!range.buffer)
-        return {parts_.ring.buffer(), parts_.ring.base() + GLintptr(range.offset)};
+    if (!range.buffer) return {parts_.ring.buffer(), parts_.ring.base() + GLintptr(range.offset)};
     const GlBuffer& buffer = parts_.resources.buffer(range.buffer);
     RL_CHECK(range.offset <= buffer.size && range.size <= buffer.size - range.offset,
              "a command names a range outside of its buffer");
     return {buffer.name, GLintptr(range.offset)};
 }
 
-// ---- passes ------------------------------------------------------------------------------------------------------
+// ---- passes
+// ------------------------------------------------------------------------------------------------------
 
 void GlExecutor::operator()(const BeginPass& command) {
     RL_CHECK(!pass_, "a pass begins inside of another");
@@ -44,7 +46,8 @@ void GlExecutor::operator()(const BeginPass& command) {
     if (report_.passes.size() <= command.passIndex) report_.passes.resize(command.passIndex + 1);
     if (options_.debugGroups) {
         const std::string_view name = nameOf(command);
-        gl_.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, command.passIndex, GLsizei(name.size()), name.data());
+        gl_.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, command.passIndex, GLsizei(name.size()),
+                           name.data());
     }
     if (options_.timers) parts_.timers.beginPass(nameOf(command));
 
@@ -134,7 +137,8 @@ void GlExecutor::look(PassExecution& result, ReadbackImage image) const {
     if (options_.keepAttachments) result.attachments.push_back(std::move(image));
 }
 
-// ---- state -------------------------------------------------------------------------------------------------------
+// ---- state
+// -------------------------------------------------------------------------------------------------------
 
 void GlExecutor::operator()(const SetPipeline& command) {
     pipeline_ = parts_.resources.pipelines.find(command.pipeline);
@@ -161,8 +165,7 @@ void GlExecutor::operator()(const SetIndexStream& command) { indices_ = resolve(
 
 void GlExecutor::operator()(const BindUniforms& command) {
     const Source source = resolve(command.range);
-    state_.bindUniforms(command.slot, source.buffer, source.offset,
-                        GLsizeiptr(command.range.size));
+    state_.bindUniforms(command.slot, source.buffer, source.offset, GLsizeiptr(command.range.size));
 }
 
 void GlExecutor::operator()(const BindTexelBuffer& command) {
@@ -196,7 +199,8 @@ void GlExecutor::operator()(const BindTexture& command) {
     state_.bindSampler(command.slot, sampler ? sampler->name : 0);
 }
 
-// ---- draws -------------------------------------------------------------------------------------------------------
+// ---- draws
+// -------------------------------------------------------------------------------------------------------
 
 GLenum GlExecutor::prepareDraw() {
     RL_CHECK(pass_ && pipeline_, "a draw needs an open pass and a pipeline");

@@ -1,12 +1,12 @@
 #pragma once
 // Plays a frame's commands into GL.
 
-#include "renderer/backend/gl/gl_programs.h"
 #include "renderer/backend/gl/gl_readback.h"
 #include "renderer/backend/gl/gl_resources.h"
 #include "renderer/backend/gl/gl_timers.h"
 #include "renderer/backend/gl/gl_upload_ring.h"
 #include "renderer/backend/gl/gl_vertex_arrays.h"
+#include "renderer/backend/gl/programs/gl_programs.h"
 
 #include <chrono>
 
@@ -45,7 +45,8 @@ public:
         uint32_t calls = 0, changes = 0;
         double ms = 0;
     };
-    /// An Error where a pass had no framebuffer or a picture no memory to come back in: no command may follow.
+    /// An Error where a pass had no framebuffer or a picture no memory to come back in: no command
+    /// may follow.
     const Result<void>& outcome() const { return outcome_; }
 
     /// What was done to look into passes, and is no part of the frame.
@@ -75,7 +76,9 @@ private:
     Source resolve(const BufferRange& range) const;
     void load(const BeginPass& pass, GLuint framebuffer);
     void clearColor(GLuint framebuffer, uint32_t slot, const ColorAttachment& color);
-    Count counted() const { return {gl_.calls, state_.changes(), millisecondsSince(report_.began)}; }
+    Count counted() const {
+        return {gl_.calls, state_.changes(), millisecondsSince(report_.began)};
+    }
     static double millisecondsSince(std::chrono::steady_clock::time_point start) {
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
             .count();

@@ -31,11 +31,13 @@ Result<void> GlFunctions::load(GlLoad loader) {
     const bool hasStrings = GetString.load(loader, "glGetString", &calls);
     if (!hasStrings || !GetIntegerv.load(loader, "glGetIntegerv", &calls))
         return noContext(std::string("The loader does not know ") +
-                         (hasStrings ? "glGetIntegerv" : "glGetString") + "; is a context current?");
+                         (hasStrings ? "glGetIntegerv" : "glGetString") +
+                         "; is a context current?");
     if (Result<void> version = checkVersion(*this); !version) return version;
     std::string missing;
-#define RL_GL_LOAD(name, type)                       \
-    if (!name.load(loader, "gl" #name, &calls)) missing += missing.empty() ? "gl" #name : ", gl" #name;
+#define RL_GL_LOAD(name, type)                  \
+    if (!name.load(loader, "gl" #name, &calls)) \
+        missing += missing.empty() ? "gl" #name : ", gl" #name;
     RL_GL_FUNCTIONS(RL_GL_LOAD)
 #undef RL_GL_LOAD
     if (missing.empty()) return {};

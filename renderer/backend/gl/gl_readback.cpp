@@ -2,7 +2,7 @@
 
 #include "renderer/backend/gl/gl_enums.h"
 #include "renderer/backend/gl/gl_storage.h"
-#include "renderer/backend/validate.h"
+#include "renderer/rhi/validate.h"
 
 #include <algorithm>
 #include <cstring>
@@ -136,8 +136,8 @@ void GlReadback::read(const GlTexture& texture, uint32_t layer, uint32_t mipLeve
 }
 
 ReadbackImage GlReadback::readImage(const GlTexture& texture, uint32_t layer, uint32_t mipLevel) {
-    ReadbackImage image{texture.format, mipSize(texture.width, mipLevel),
-                        mipSize(texture.height, mipLevel), {}};
+    ReadbackImage image{
+        texture.format, mipSize(texture.width, mipLevel), mipSize(texture.height, mipLevel), {}};
     image.bytes.resize(size_t(bytesPerTexel(image.format)) * image.width * image.height);
     copyOut(gl_, texture, layer, mipLevel, image.bytes.size(), image.bytes.data());
     return image;

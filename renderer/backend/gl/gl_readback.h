@@ -1,8 +1,9 @@
 #pragma once
-// Pixels on their way back: a pixel buffer and a fence a ticket, so that nobody has to wait for them.
+// Pixels on their way back: a pixel buffer and a fence a ticket, so that nobody has to wait for
+// them.
 
-#include "renderer/backend/device.h"
 #include "renderer/backend/gl/gl_resources.h"
+#include "renderer/rhi/device.h"
 
 #include <vector>
 

@@ -25,7 +25,9 @@ GlAttachments attachmentsOf(const BeginPass& pass) {
 // Samplers are shared by all that need an equal one: named after what they do.
 std::string labelOf(const SamplerDesc& desc) {
     constexpr const char* kWraps[] = {"repeat", "clamp", "mirror"};
-    const auto filter = [](TextureFilter f) { return f == TextureFilter::linear ? "linear" : "nearest"; };
+    const auto filter = [](TextureFilter f) {
+        return f == TextureFilter::linear ? "linear" : "nearest";
+    };
     std::string label = std::string("sampler ") + filter(desc.minify);
     if (desc.useMipmaps) label += std::string(" mip ") + filter(desc.mipmap);
     label += std::string(" ") + kWraps[size_t(desc.wrapU)];
@@ -49,7 +51,8 @@ GlResources::~GlResources() {
 Result<GlBuffer> GlResources::createBuffer(const BufferDesc& desc) {
     GlBuffer buffer{0, desc.size, desc.usage, std::string(desc.label)};
     gl_.CreateBuffers(1, &buffer.name);
-    if (auto made = makeBufferStorage(gl_, buffer.name, desc.label, desc.size, GL_DYNAMIC_STORAGE_BIT);
+    if (auto made = makeBufferStorage(gl_, buffer.name, desc.label, desc.size,
+                                      GL_DYNAMIC_STORAGE_BIT);
         !made) {
         gl_.DeleteBuffers(1, &buffer.name);
         return tl::unexpected(made.error());
@@ -66,7 +69,8 @@ Result<GlTexture> GlResources::createTexture(const TextureDesc& desc) {
         gl_.DeleteTextures(1, &texture.name);
         return tl::unexpected(made.error());
     }
-    // Read without a sampler object a texture is fetched from; integer formats are incomplete when filtered.
+    // Read without a sampler object a texture is fetched from; integer formats are incomplete when
+    // filtered.
     gl_.TextureParameteri(texture.name, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl_.TextureParameteri(texture.name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;
@@ -130,16 +134,16 @@ tl::unexpected<Error> GlResources::incomplete(const BeginPass& pass, GLenum stat
     const auto add = [&](TextureHandle handle) {
         if (!handle) return;
         const GlTexture& target = texture(handle);
-        targets += (targets.empty() ? "" : ", ") + target.label + " (" + toText(target.format) + ", " +
-                   std::to_string(target.width) + "x" + std::to_string(target.height) + ")";
+        targets += (targets.empty() ? "" : ", ") + target.label + " (" + toText(target.format) +
+                   ", " + std::to_string(target.width) + "x" + std::to_string(target.height) + ")";
     };
     for (uint32_t i = 0; i < pass.colorCount; ++i) add(pass.colors[i].texture);
     add(pass.depth.texture);
     char code[16];
     std::snprintf(code, sizeof code, "0x%04x", status);
     return fail(std::string("pass '") + pass.name + "'",
-                "OpenGL cannot draw into its targets, " + targets + ": the framebuffer is not complete (" +
-                    code + ").");
+                "OpenGL cannot draw into its targets, " + targets +
+                    ": the framebuffer is not complete (" + code + ").");
 }
 
 void GlResources::attach(GLuint framebuffer, GLenum point, const GlAttachments::One& one) {
@@ -175,10 +179,9 @@ Result<GLuint> GlResources::createFramebuffer(const GlAttachments& attachments,
 void GlResources::forgetFramebuffers(TextureHandle handle) {
     std::erase_if(framebuffers_, [&](const Framebuffer& framebuffer) {
         const GlAttachments& used = framebuffer.attachments;
-        const bool uses =
-            used.depth.texture == handle ||
-            std::ranges::find(used.colors, handle, &GlAttachments::One::texture) !=
-                used.colors.end();
+        const bool uses = used.depth.texture == handle ||
+                          std::ranges::find(used.colors, handle, &GlAttachments::One::texture) !=
+                              used.colors.end();
         if (uses) gl_.DeleteFramebuffers(1, &framebuffer.name);
         return uses;
     });

@@ -2,7 +2,7 @@
 // The GL objects behind the handles, and the framebuffers made of them.
 
 #include "renderer/backend/gl/gl_state.h"
-#include "renderer/commands/commands.h"
+#include "renderer/rhi/commands/commands.h"
 
 #include <string>
 #include <vector>
@@ -70,8 +70,8 @@ public:
     const GlBuffer& buffer(BufferHandle handle) const;
     const GlTexture& texture(TextureHandle handle) const;
 
-    /// The framebuffer with a pass's attachments, made on first use and kept until one of them is destroyed. An Error
-    /// where the driver cannot draw into them together.
+    /// The framebuffer with a pass's attachments, made on first use and kept until one of them is
+    /// destroyed. An Error where the driver cannot draw into them together.
     Result<GLuint> framebuffer(const BeginPass& pass);
     void forgetFramebuffers(TextureHandle texture);
 

@@ -7,17 +7,26 @@ namespace {
 
 // Off in a new context and off in a frame: a host may have turned them on.
 constexpr GLenum kAlwaysOff[] = {
-    GL_STENCIL_TEST,       GL_COLOR_LOGIC_OP,      GL_RASTERIZER_DISCARD,
-    GL_PRIMITIVE_RESTART,  GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_MASK,
-    GL_POLYGON_OFFSET_LINE, GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_FRAMEBUFFER_SRGB,
-    GL_SAMPLE_COVERAGE,    GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_SHADING,
-    GL_POLYGON_SMOOTH,     GL_LINE_SMOOTH,
+    GL_STENCIL_TEST,
+    GL_COLOR_LOGIC_OP,
+    GL_RASTERIZER_DISCARD,
+    GL_PRIMITIVE_RESTART,
+    GL_SAMPLE_ALPHA_TO_COVERAGE,
+    GL_SAMPLE_MASK,
+    GL_POLYGON_OFFSET_LINE,
+    GL_PRIMITIVE_RESTART_FIXED_INDEX,
+    GL_FRAMEBUFFER_SRGB,
+    GL_SAMPLE_COVERAGE,
+    GL_SAMPLE_ALPHA_TO_ONE,
+    GL_SAMPLE_SHADING,
+    GL_POLYGON_SMOOTH,
+    GL_LINE_SMOOTH,
 };
 
 // Bindings that transfers and queries read, by the value of GL_PIXEL_*_BUFFER and their kind.
 constexpr GLenum kTransferBuffers[] = {
-    GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER, GL_QUERY_BUFFER, GL_DRAW_INDIRECT_BUFFER,
-    GL_UNIFORM_BUFFER,
+    GL_PIXEL_PACK_BUFFER,    GL_PIXEL_UNPACK_BUFFER, GL_QUERY_BUFFER,
+    GL_DRAW_INDIRECT_BUFFER, GL_UNIFORM_BUFFER,
 };
 
 }  // namespace
@@ -36,8 +45,8 @@ void GlState::setEnabled(GLenum capability, bool& cached, bool on) {
 }
 
 void GlState::setPipelineDefaults() {
-    for (GLenum capability :
-         {GL_SCISSOR_TEST, GL_CULL_FACE, GL_DEPTH_TEST, GL_DEPTH_CLAMP, GL_POLYGON_OFFSET_FILL, GL_BLEND})
+    for (GLenum capability : {GL_SCISSOR_TEST, GL_CULL_FACE, GL_DEPTH_TEST, GL_DEPTH_CLAMP,
+                              GL_POLYGON_OFFSET_FILL, GL_BLEND})
         gl_.Disable(capability);
     scissorOn_ = cullOn_ = depthTestOn_ = depthClampOn_ = offsetOn_ = blendOn_ = false;
     gl_.CullFace(cullFace_ = GL_BACK);
@@ -130,8 +139,7 @@ void GlState::setViewport(const GlRect& rect) {
 
 void GlState::setScissor(const GlRect& rect) {
     setEnabled(GL_SCISSOR_TEST, scissorOn_, rect.width > 0);
-    if (scissorOn_ && change(scissor_, rect))
-        gl_.Scissor(rect.x, rect.y, rect.width, rect.height);
+    if (scissorOn_ && change(scissor_, rect)) gl_.Scissor(rect.x, rect.y, rect.width, rect.height);
 }
 
 void GlState::setDepthWrite(bool on) {

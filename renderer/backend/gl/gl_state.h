@@ -1,8 +1,9 @@
 #pragma once
-// The one state cache: every bind and every enable of the backend goes through it, the redundant ones go no further.
+// The one state cache: every bind and every enable of the backend goes through it, the redundant
+// ones go no further.
 
 #include "renderer/backend/gl/gl_functions.h"
-#include "renderer/commands/resource_lookup.h"
+#include "renderer/rhi/resource_lookup.h"
 
 #include <array>
 

@@ -7,8 +7,8 @@
 namespace rushlight {
 namespace {
 
-// What OpenGL says went wrong. Of errors that the host left, none is taken while all goes well: whether storage was made
-// is asked of the object, which is immutable then.
+// What OpenGL says went wrong. Of errors that the host left, none is taken while all goes well:
+// whether storage was made is asked of the object, which is immutable then.
 std::string reasonOf(const GlFunctions& gl) {
     constexpr int kMostErrors = 16;  // a lost context may never run out of them
     GLenum last = GL_NO_ERROR;
@@ -32,13 +32,14 @@ std::string megabytes(uint64_t bytes) {
 std::string textureText(const TextureDesc& desc) {
     uint64_t bytes = 0;
     for (uint32_t level = 0; level < desc.mipLevels; ++level) bytes += imageBytes(desc, level);
-    std::string text = "a texture of " + std::to_string(desc.width) + "x" + std::to_string(desc.height) +
-                       " texels";
+    std::string text = "a texture of " + std::to_string(desc.width) + "x" +
+                       std::to_string(desc.height) + " texels";
     if (desc.layers > 1) text += " in " + std::to_string(desc.layers) + " layers";
     return text + " (" + toText(desc.format) + ", " + megabytes(bytes * desc.layers) + ")";
 }
 
-tl::unexpected<Error> refused(const GlFunctions& gl, std::string_view label, const std::string& what) {
+tl::unexpected<Error> refused(const GlFunctions& gl, std::string_view label,
+                              const std::string& what) {
     return fail(std::string(label), "OpenGL has no room for " + what + ": " + reasonOf(gl) + ".");
 }
 

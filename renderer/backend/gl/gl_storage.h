@@ -2,7 +2,7 @@
 // Memory of buffers and textures, which OpenGL may refuse.
 
 #include "renderer/backend/gl/gl_functions.h"
-#include "renderer/commands/resources.h"
+#include "renderer/rhi/resources.h"
 
 namespace rushlight {
 

@@ -57,7 +57,8 @@ void GlTimers::beginPass(std::string_view name) {
 }
 
 void GlTimers::endPass() {
-    if (open_ && open_->used > 0) gl_.QueryCounter(open_->passes[open_->used - 1].end, GL_TIMESTAMP);
+    if (open_ && open_->used > 0)
+        gl_.QueryCounter(open_->passes[open_->used - 1].end, GL_TIMESTAMP);
 }
 
 void GlTimers::endFrame() {

@@ -1,9 +1,9 @@
 #pragma once
-// When each pass began on the GPU and what it cost, from timestamps; they nest in whatever timer query the host may
-// have open.
+// When each pass began on the GPU and what it cost, from timestamps; they nest in whatever timer
+// query the host may have open.
 
-#include "renderer/backend/device.h"
 #include "renderer/backend/gl/gl_functions.h"
+#include "renderer/rhi/device.h"
 
 #include <array>
 #include <chrono>
@@ -24,12 +24,13 @@ public:
     explicit GlTimers(const GlFunctions& gl) : gl_(gl) {}
     ~GlTimers();
 
-    /// To be called before each frame; asks the driver for its time at the first and then at every 64th: clocks drift by
-    /// microseconds a second, and drivers with threads of their own must be waited for.
+    /// To be called before each frame; asks the driver for its time at the first and then at every
+    /// 64th: clocks drift by microseconds a second, and drivers with threads of their own must be
+    /// waited for.
     void compareClocks();
 
-    /// Collects the results that are there, then opens a frame. Never waits: while every frame of the ring is still
-    /// with the GPU, the frame is not timed.
+    /// Collects the results that are there, then opens a frame. Never waits: while every frame of
+    /// the ring is still with the GPU, the frame is not timed.
     void beginFrame(bool enabled, uint64_t number, Clock::time_point began);
     void beginPass(std::string_view name);
     void endPass();
@@ -38,8 +39,8 @@ public:
     /// Number of the newest finished frame, kNoFrame before there is one.
     uint64_t newestFrame() const { return newestFrame_; }
 
-    /// In the newest finished frame, of its pass of this index if it has this name, else of its first pass that has;
-    /// zeros without one.
+    /// In the newest finished frame, of its pass of this index if it has this name, else of its
+    /// first pass that has; zeros without one.
     Time newest(uint32_t index, std::string_view name) const;
 
 private:

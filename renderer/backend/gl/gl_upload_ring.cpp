@@ -29,8 +29,7 @@ Result<void> GlUploadRing::allocate(uint64_t slotSize) {
     constexpr GLbitfield flags = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
     gl_.CreateBuffers(1, &buffer_);
     if (auto made = makeBufferStorage(gl_, buffer_, "upload ring", size, flags); !made) return made;
-    mapped_ = static_cast<std::byte*>(
-        gl_.MapNamedBufferRange(buffer_, 0, GLsizeiptr(size), flags));
+    mapped_ = static_cast<std::byte*>(gl_.MapNamedBufferRange(buffer_, 0, GLsizeiptr(size), flags));
     if (!mapped_) return fail("upload ring", "OpenGL cannot map the buffer of the frames' data.");
     slotSize_ = slotSize;
     return {};

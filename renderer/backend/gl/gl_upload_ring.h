@@ -1,5 +1,6 @@
 #pragma once
-// The frames' data blocks: one persistently mapped coherent buffer with a slot for each frame in flight.
+// The frames' data blocks: one persistently mapped coherent buffer with a slot for each frame in
+// flight.
 
 #include "engine/core/check.h"
 #include "renderer/backend/gl/gl_functions.h"
@@ -21,9 +22,9 @@ public:
 
     /// Makes the buffer, once, before the first frame.
     Result<void> prepare();
-    /// Copies a frame's data to the next slot, waiting for the frame that used it last. A block larger than a slot
-    /// makes a larger buffer; see takeReplaced(). An Error where that cannot be had: the frame has no data then, and
-    /// the next one tries again.
+    /// Copies a frame's data to the next slot, waiting for the frame that used it last. A block
+    /// larger than a slot makes a larger buffer; see takeReplaced(). An Error where that cannot be
+    /// had: the frame has no data then, and the next one tries again.
     Result<void> begin(std::span<const std::byte> data);
     /// All commands that read the slot were submitted.
     void end();

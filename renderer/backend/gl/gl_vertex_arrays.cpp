@@ -61,8 +61,8 @@ void GlVertexArrays::create(Array& array, VertexLayout layout, bool movingInstan
             gl_.VertexArrayAttribIFormat(array.name, a.location, a.components, a.type,
                                          GLuint(a.offset));
         else
-            gl_.VertexArrayAttribFormat(array.name, a.location, a.components, a.type,
-                                        a.normalized, GLuint(a.offset));
+            gl_.VertexArrayAttribFormat(array.name, a.location, a.components, a.type, a.normalized,
+                                        GLuint(a.offset));
         gl_.VertexArrayAttribBinding(array.name, a.location, a.stream);
         array.reads[a.stream] = true;
     };

@@ -1,6 +1,6 @@
 #include "renderer/backend/null/null_device.h"
 
-#include "renderer/backend/validate.h"
+#include "renderer/rhi/validate.h"
 
 #include <algorithm>
 #include <chrono>
@@ -88,9 +88,7 @@ public:
         RL_CHECK(!c.sampler || state_.samplers.find(c.sampler),
                  "a command names a sampler that does not exist");
     }
-    void operator()(const Draw& c) {
-        count(1, uint64_t(c.vertexCount / 3) * c.instanceCount);
-    }
+    void operator()(const Draw& c) { count(1, uint64_t(c.vertexCount / 3) * c.instanceCount); }
     void operator()(const DrawIndexed& c) {
         count(1, uint64_t(c.command.indexCount / 3) * c.command.instanceCount);
     }
@@ -167,12 +165,14 @@ public:
     std::string_view version() const override { return "accepts everything, draws nothing"; }
 
     Result<BufferHandle> createBuffer(const BufferDesc& desc) override {
-        return validate(desc, {}).map(
-            [&] { return state_.buffers.insert({desc, std::string(desc.label)}); });
+        return validate(desc, {}).map([&] {
+            return state_.buffers.insert({desc, std::string(desc.label)});
+        });
     }
     Result<TextureHandle> createTexture(const TextureDesc& desc) override {
-        return validate(desc, {}).map(
-            [&] { return state_.textures.insert({desc, std::string(desc.label)}); });
+        return validate(desc, {}).map([&] {
+            return state_.textures.insert({desc, std::string(desc.label)});
+        });
     }
     SamplerHandle createSampler(const SamplerDesc& desc) override {
         SamplerHandle equal;
@@ -258,8 +258,8 @@ public:
         report.begin();
         report.uploadedBytes = commands.data().size();
         visitCommands(commands, Counter(state_, commands, options, report));
-        report.cpuMs =
-            std::chrono::duration<double, std::milli>(Clock::now() - report.began).count();
+        report.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - report.began)
+                           .count();
     }
     bool takeReadback(uint32_t ticket, bool, ReadbackImage& image) override {
         const auto found = std::ranges::find(state_.readbacks, ticket, &PendingReadback::ticket);
@@ -267,8 +267,8 @@ public:
         image.format = found->format;
         image.width = found->width;
         image.height = found->height;
-        image.bytes.assign(
-            size_t(bytesPerTexel(image.format)) * image.width * image.height, std::byte(0));
+        image.bytes.assign(size_t(bytesPerTexel(image.format)) * image.width * image.height,
+                           std::byte(0));
         state_.readbacks.erase(found);
         return true;
     }

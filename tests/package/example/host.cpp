@@ -17,8 +17,8 @@ constexpr GLsizei kWidth = 80, kHeight = 60;
 void* load(const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); }
 
 bool makeContext() {
-    const EGLDisplay display =
-        eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA,
+                                                     EGL_DEFAULT_DISPLAY, nullptr);
     if (!display || !eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API))
         return false;
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
@@ -28,8 +28,8 @@ bool makeContext() {
                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                  EGL_NONE};
-    const EGLContext context =
-        eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
+                                                attributes);
     return context && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
 }
 
@@ -70,8 +70,8 @@ rushlight::Result<void> draw(GLuint framebuffer) {
     instance.material = *material;
     const rushlight::DirectionalLight sun{{0, -1, 0}, rushlight::vec3(3)};
     rushlight::FrameInput input;
-    input.view.viewFromWorld =
-        glm::lookAt(rushlight::vec3(1, 2, 2), rushlight::vec3(0), rushlight::vec3(0, 1, 0));
+    input.view.viewFromWorld = glm::lookAt(rushlight::vec3(1, 2, 2), rushlight::vec3(0),
+                                           rushlight::vec3(0, 1, 0));
     input.instances = {&instance, 1};
     input.lighting.directional = {&sun, 1};
     return (*renderer)->render(input, {framebuffer, uint32_t(kWidth), uint32_t(kHeight)});

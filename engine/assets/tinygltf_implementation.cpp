@@ -1,4 +1,0 @@
-// The implementation of the header-only tinygltf, compiled here and nowhere else.
-#include <fstream>
-#define TINYGLTF_IMPLEMENTATION
-#include "engine/assets/tinygltf_config.h"

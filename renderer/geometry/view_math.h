@@ -1,0 +1,57 @@
+#pragma once
+// Cameras as matrices. Clip space: z in [0, w], reversed (near plane at 1, far at 0).
+
+#include "engine/core/bounds.h"
+#include "engine/core/result.h"
+#include "renderer/frame/frame_input.h"
+
+#include <array>
+
+namespace rushlight {
+
+struct Plane {
+    vec3 normal;   ///< unit, inwards
+    float offset;  ///< dot(normal, p) + offset >= 0 inside
+};
+
+/// Left, right, bottom, top, near, far; an infinite far plane accepts everything.
+struct Frustum {
+    std::array<Plane, 6> planes;
+};
+
+/// What the passes need to know of a camera, worked out once a frame.
+struct CameraMatrices {
+    mat4 viewFromWorld;
+    mat4 clipFromView;
+    mat4 clipFromWorld;
+    mat4 previousClipFromWorld;
+    vec3 position;
+    vec3 right, up, forward;              ///< world, unit
+    float tanHalfX = 1, tanHalfY = 1;     ///< perspective: of half the view angles
+    float halfWidth = 1, halfHeight = 1;  ///< orthographic
+    float nearPlane = 0.1f;
+    float farPlane = 0;  ///< 0: infinite
+    bool perspective = true;
+    vec2 depthDecode;  ///< see LightingUniforms
+    Frustum frustum;
+
+    /// Where a pixel at uv in [0,1]² with this view depth is, relative to the camera, in world
+    /// axes.
+    vec3 relativePosition(vec2 uv, float viewDepth) const;
+};
+
+/// An Error when the view is not finite, not invertible or its ranges are empty.
+Result<CameraMatrices> makeCamera(const View& view, float targetAspect);
+
+mat4 reversedPerspective(float tanHalfX, float tanHalfY, float nearPlane, float farPlane);
+mat4 reversedOrthographic(float halfWidth, float halfHeight, float nearPlane, float farPlane);
+
+/// Planes of a clip matrix with reversed z. Gribb and Hartmann, 2001.
+Frustum frustumOf(const mat4& clipFromWorld);
+
+/// Conservative: may accept a box near an edge of the frustum that is outside.
+bool intersects(const Frustum&, const vec3& boxCenter, const vec3& boxHalfExtent);
+/// Of a ball.
+bool intersects(const Frustum&, const vec3& center, float radius);
+
+}  // namespace rushlight

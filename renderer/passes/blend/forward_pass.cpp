@@ -1,0 +1,62 @@
+#include "renderer/passes/blend/forward_pass.h"
+
+#include "renderer/materials/surface_variant.h"
+#include "shaders/interop/bindings.h"
+
+namespace rushlight {
+
+ForwardPass::ForwardPass(Device& device)
+    : blend_(device, {.label = "forward",
+                      .vertexShader = "passes/surface/surface.vert",
+                      .fragmentShader = "passes/blend/forward.frag",
+                      .usedFlags = ~uint32_t(kMoving),
+                      .depthTest = CompareOp::greaterOrEqual,
+                      .depthWrite = false,
+                      .blend = BlendMode::premultiplied,
+                      .transmissive = BlendMode::filtered}),
+      emission_(device, {.label = "emission",
+                         .vertexShader = "passes/surface/surface.vert",
+                         .fragmentShader = "passes/blend/forward.frag",
+                         .depthTest = CompareOp::equal,
+                         .depthWrite = false,
+                         .blend = BlendMode::additive}) {}
+
+Result<ForwardPass::Outputs> ForwardPass::add(FramePlan& plan, const Inputs& inputs) {
+    Outputs out{inputs.radiance};
+    if (inputs.blended->batches.empty() && inputs.movingEmissive->batches.empty()) return out;
+    defines_.clear();
+    defines_.push_back("FORWARD");
+    inputs.lighting.features.appendDefines(defines_);
+    if (inputs.decals) defines_.push_back("DECALS");
+    if (inputs.fog) defines_.push_back("FOG");
+    if (auto ok = blend_.assign(*inputs.blended, defines_); !ok) return tl::unexpected(ok.error());
+    constexpr std::string_view kEmission[] = {"FORWARD", "EMISSION_ONLY", "DIRECTIONAL_LIGHTS 0",
+                                              "FOG"};
+    if (auto ok = emission_.assign(*inputs.movingEmissive,
+                                   std::span(kEmission).first(inputs.fog ? 4 : 3));
+        !ok)
+        return tl::unexpected(ok.error());
+    const PassTargets::Color colors[] = {{inputs.radiance, LoadOp::keep}};
+    const ImageId reads[] = {inputs.lighting.shadowMap, inputs.lighting.shadowAtlas,
+                             inputs.lighting.sunGlass, inputs.lighting.atlasGlass, inputs.fog};
+    PassTargets targets;
+    targets.colors = colors;
+    targets.depth = {inputs.depth, LoadOp::keep, 0, true};
+    targets.reads = reads;
+    plan.addPass<Inputs>("forward", targets, inputs, [](const Inputs& in, PassContext& context) {
+        context.commands.push(BindUniforms{RL_UNIFORMS_VIEW, 0, in.viewUniforms});
+        context.commands.push(BindTexelBuffer{
+            RL_TEXTURE_MATERIALS, Format::rgba32ui, {}, in.binder.materials->buffer()});
+        in.lighting.record(context);
+        if (in.lighting.features.irradianceVolume) in.lighting.recordProbes(context);
+        in.decals.record(context.commands);
+        if (in.fog)
+            context.commands.push(
+                BindTexture{RL_TEXTURE_FOG, context.texture(in.fog), in.lighting.linearSampler});
+        in.binder.record(context.commands, *in.movingEmissive);
+        in.binder.record(context.commands, *in.blended);
+    });
+    return out;
+}
+
+}  // namespace rushlight

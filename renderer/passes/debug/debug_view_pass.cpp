@@ -1,0 +1,107 @@
+#include "renderer/passes/debug/debug_view_pass.h"
+
+#include "shaders/interop/bindings.h"
+
+namespace rushlight {
+namespace {
+
+std::string_view defineOf(ShownImage show) {
+    switch (show) {
+        case ShownImage::baseColor: return "SHOW_BASE_COLOR";
+        case ShownImage::metallic: return "SHOW_METALLIC";
+        case ShownImage::roughness: return "SHOW_ROUGHNESS";
+        case ShownImage::normal: return "SHOW_NORMAL";
+        case ShownImage::emissive: return "SHOW_EMISSIVE";
+        case ShownImage::occlusion: return "SHOW_OCCLUSION";
+        case ShownImage::velocity: return "SHOW_VELOCITY";
+        case ShownImage::depth: return "SHOW_DEPTH";
+        case ShownImage::overdraw: return "SHOW_OVERDRAW";
+        case ShownImage::shadow: return "SHOW_SHADOW";
+        case ShownImage::clusters: return "SHOW_CLUSTERS";
+        case ShownImage::ambientOcclusion: return "SHOW_AMBIENT_OCCLUSION";
+        default: return {};
+    }
+}
+
+interop::PassUniforms uniformsOf(const DebugViewPass::Inputs& in) {
+    const float width = float(in.target.width), height = float(in.target.height);
+    interop::PassUniforms u{};
+    u.sourceTexel = vec4(1 / width, 1 / height, in.depthDecode);
+    if (in.show == ShownImage::shadow) {
+        const uint32_t cells = in.shadowCascades + (in.shadowAtlas ? 1 : 0);
+        u.counts.x = float(cells);
+        u.counts.y = float(in.shadowCascades);
+        u.settings.x = width / float(cells) / height;
+    } else if (in.show == ShownImage::clusters) {
+        u.settings = in.clusterMapping;
+        u.counts = in.clusterCounts;
+    } else {
+        u.settings = vec4(in.nearestDepth, in.farthestDepth, 0, 0);
+    }
+    u.counts.w = in.target.topRowFirst ? 1.0f : 0.0f;
+    return u;
+}
+
+}  // namespace
+
+DebugViewPass::DebugViewPass(Device& device)
+    : pipelines_(device, "debug-view", "passes/debug/debug_view.frag"),
+      nearest_(nearestClampSampler(device)) {}
+
+bool DebugViewPass::shows(ShownImage show) { return !defineOf(show).empty(); }
+
+Result<void> DebugViewPass::add(FramePlan& plan, const Inputs& inputs) {
+    const bool shadow = inputs.show == ShownImage::shadow;
+    const bool clusters = inputs.show == ShownImage::clusters;
+    const bool ambient = inputs.show == ShownImage::ambientOcclusion;
+    const bool overdraw = inputs.show == ShownImage::overdraw;
+    const bool nothing = (shadow && !inputs.shadowMap && !inputs.shadowAtlas) ||
+                         (clusters && !inputs.clusters.size) ||
+                         (ambient && !inputs.ambientOcclusion) || (overdraw && !inputs.overdraw);
+    std::string_view defines[3];
+    size_t count = 0;
+    defines[count++] = nothing ? "SHOW_NOTHING" : defineOf(inputs.show);
+    if (clusters && inputs.clusterWords > 1) defines[count++] = "MODULATED_LIGHTS";
+    if (inputs.orthographic) defines[count++] = "ORTHOGRAPHIC";
+    const auto pipeline = pipelines_.find({defines, count});
+    if (!pipeline) return tl::unexpected(pipeline.error());
+
+    Payload payload{{*pipeline, appendUniforms(*inputs.data, uniformsOf(inputs)), {}}, {}};
+    ImageId reads[4];
+    if (shadow && !nothing) {
+        // Both units need a texture; what is not there has no cell.
+        reads[0] = inputs.shadowMap ? inputs.shadowMap : inputs.shadowAtlas;
+        reads[1] = inputs.shadowAtlas ? inputs.shadowAtlas : inputs.shadowMap;
+        payload.draw.textures[0] = {RL_TEXTURE_SOURCE0, reads[0], nearest_};
+        payload.draw.textures[1] = {RL_TEXTURE_SOURCE1, reads[1], nearest_};
+    } else if (overdraw && !nothing) {
+        reads[0] = inputs.overdraw;
+        payload.draw.textures[0] = {RL_TEXTURE_SOURCE0, inputs.overdraw, nearest_};
+    } else {
+        const GBufferPass::Outputs& g = inputs.gbuffer;
+        payload.draw.textures[0] = {RL_TEXTURE_GBUFFER0, g.target0, nearest_};
+        if (ambient && !nothing)  // which does without the base colour
+            payload.draw.textures[0] = {RL_TEXTURE_AMBIENT_OCCLUSION, inputs.ambientOcclusion,
+                                        nearest_};
+        payload.draw.textures[1] = {RL_TEXTURE_GBUFFER1, g.target1, nearest_};
+        payload.draw.textures[2] = {RL_TEXTURE_GBUFFER2, g.target2, nearest_};
+        payload.draw.textures[3] = {RL_TEXTURE_DEPTH, g.depth, nearest_};
+        reads[0] = payload.draw.textures[0].image, reads[1] = g.target1, reads[2] = g.target2,
+        reads[3] = g.depth;
+    }
+    if (clusters) payload.clusters = inputs.clusters;
+    PassTargets::Color color;
+    PassTargets targets = inputs.target.targets(color, LoadOp::discard);
+    targets.reads = reads;
+    plan.addPass<Payload>("debug-view", targets, payload, record);
+    return {};
+}
+
+void DebugViewPass::record(const Payload& payload, PassContext& context) {
+    if (payload.clusters.size)
+        context.commands.push(
+            BindTexelBuffer{RL_TEXTURE_CLUSTERS, Format::r32ui, {}, payload.clusters});
+    FullscreenDraw::record(payload.draw, context);
+}
+
+}  // namespace rushlight

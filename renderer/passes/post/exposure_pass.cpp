@@ -1,0 +1,90 @@
+#include "renderer/passes/post/exposure_pass.h"
+
+#include "shaders/interop/bindings.h"
+
+#include <cmath>
+
+namespace rushlight {
+namespace {
+
+constexpr uint32_t kMeansSide = 4;  // as exposure.frag reads them
+constexpr float kMiddleGrey = 0.18f;
+constexpr float kSpeed = 2.0f;  // 1/s: 86 % of the way in a second
+// From full sun in lux to a room by candles; what is darker is meant to be dark.
+constexpr float kLowestFactor = 1e-6f;
+constexpr float kHighestFactor = 32.0f;
+
+}  // namespace
+
+ExposurePass::ExposurePass(Device& device)
+    : device_(device),
+      luminance_(device, "luminance", "passes/post/luminance.frag"),
+      exposure_(device, "exposure", "passes/post/exposure.frag"),
+      linear_(linearClampSampler(device)),
+      nearest_(nearestClampSampler(device)) {}
+
+ExposurePass::~ExposurePass() {
+    for (const TextureHandle texel : texels_)
+        if (texel) device_.destroy(texel);
+}
+
+Result<void> ExposurePass::reserve() {
+    for (TextureHandle& texel : texels_) {
+        if (texel) continue;
+        TextureDesc desc;
+        desc.label = "exposure";
+        desc.format = Format::r32f;
+        auto texture = device_.createTexture(desc);
+        if (!texture) return tl::unexpected(texture.error());
+        texel = *texture;
+        const float none = 0;
+        TextureRegion region;
+        region.width = region.height = 1;
+        device_.write(texel, region, std::as_bytes(std::span(&none, 1)));
+    }
+    return {};
+}
+
+Result<ExposurePass::Outputs> ExposurePass::add(FramePlan& plan, const Inputs& inputs) {
+    if (auto ok = reserve(); !ok) return tl::unexpected(ok.error());
+    const auto luminance = luminance_.find({});
+    if (!luminance) return tl::unexpected(luminance.error());
+    const auto exposure = exposure_.find({});
+    if (!exposure) return tl::unexpected(exposure.error());
+
+    const ImageId means = plan.createImage({"log-luminance", Format::r32f, kMeansSide, kMeansSide});
+    const ImageId previous = plan.importImage({"exposure-before", Format::r32f, 1, 1},
+                                              texels_[current_ ^ 1]);
+    const ImageId now = plan.importImage({"exposure", Format::r32f, 1, 1}, texels_[current_]);
+    current_ ^= 1;
+
+    interop::PassUniforms u{};
+    u.sourceTexel = vec4(1.0f / float(inputs.sourceWidth), 1.0f / float(inputs.sourceHeight), 0, 0);
+    const float share = started_ ? 1.0f - std::exp(-kSpeed * inputs.deltaTime) : 1.0f;
+    started_ = true;
+    u.settings = vec4(share, kLowestFactor, kHighestFactor, kMiddleGrey);
+    const BufferRange uniforms = appendUniforms(*inputs.data, u);
+
+    {
+        FullscreenDraw draw{*luminance, uniforms, {}};
+        draw.textures[0] = {RL_TEXTURE_SOURCE0, inputs.source, linear_};
+        const PassTargets::Color colors[] = {{means, LoadOp::discard}};
+        const ImageId reads[] = {inputs.source};
+        PassTargets targets;
+        targets.colors = colors;
+        targets.reads = reads;
+        plan.addPass<FullscreenDraw>("luminance", targets, draw, FullscreenDraw::record);
+    }
+    FullscreenDraw draw{*exposure, uniforms, {}};
+    draw.textures[0] = {RL_TEXTURE_SOURCE0, means, nearest_};
+    draw.textures[1] = {RL_TEXTURE_SOURCE1, previous, nearest_};
+    const PassTargets::Color colors[] = {{now, LoadOp::discard}};
+    const ImageId reads[] = {means, previous};
+    PassTargets targets;
+    targets.colors = colors;
+    targets.reads = reads;
+    plan.addPass<FullscreenDraw>("exposure", targets, draw, FullscreenDraw::record);
+    return Outputs{now};
+}
+
+}  // namespace rushlight

@@ -1,0 +1,174 @@
+#include "renderer/passes/shadow/shadow_glass_pass.h"
+
+#include "engine/core/hash.h"
+#include "shaders/interop/bindings.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rushlight {
+namespace {
+
+constexpr const char* kPassNames[ShadowPass::kMaxViews] = {
+    "shadow.glass.0", "shadow.glass.1", "shadow.glass.2", "shadow.glass.3", "shadow.glass.4",
+    "shadow.glass.5", "shadow.glass.6", "shadow.glass.7", "shadow.glass.8", "shadow.glass.9"};
+constexpr vec4 kNothing{1, 1, 1, 0};  // white, infinitely far
+
+struct SunPayload {
+    const DrawList* casters;
+    BufferRange viewUniforms;
+    DrawBinder binder;
+};
+
+void bindMaterials(const DrawBinder& binder, CommandBuffer& commands) {
+    commands.push(
+        BindTexelBuffer{RL_TEXTURE_MATERIALS, Format::rgba32ui, {}, binder.materials->buffer()});
+}
+
+void recordSun(const SunPayload& payload, PassContext& context) {
+    if (payload.casters->batches.empty()) return;
+    context.commands.push(BindUniforms{RL_UNIFORMS_VIEW, 0, payload.viewUniforms});
+    bindMaterials(payload.binder, context.commands);
+    payload.binder.record(context.commands, *payload.casters);
+}
+
+// Of a view without such casters too: 0 stands for "nothing known".
+uint64_t contentOf(const ShadowGlassPass::SunView& view) {
+    if (view.casters->items.empty()) return 1;
+    return mixBits(view.opaque + mixBits(view.casters->contentHash())) | 1;
+}
+
+SurfacePipelineDesc pipelinesOf(std::string_view label, bool depthClamp) {
+    SurfacePipelineDesc desc;
+    desc.label = label;
+    desc.vertexShader = "passes/surface/surface.vert";
+    desc.fragmentShader = "passes/shadow/shadow_glass.frag";
+    desc.depthWrite = false;
+    desc.depthClamp = depthClamp;
+    desc.transmissive = BlendMode::absorbing;
+    return desc;
+}
+
+}  // namespace
+
+ShadowGlassPass::ShadowGlassPass(Device& device)
+    : device_(device),
+      sunPipelines_(device, pipelinesOf("shadow.glass", true)),
+      atlasPipelines_(device, pipelinesOf("shadow.atlas.glass", false)) {}
+
+ShadowGlassPass::~ShadowGlassPass() {
+    if (sun_) device_.destroy(sun_);
+    if (atlas_) device_.destroy(atlas_);
+}
+
+Result<void> ShadowGlassPass::reserve(TextureHandle& map, const char* label, uint32_t size,
+                                      uint32_t layers) {
+    TextureDesc desc;
+    desc.label = label;
+    desc.kind = TextureKind::texture2dArray;
+    desc.format = Format::rgba16f;
+    desc.width = desc.height = size;
+    desc.layers = layers;
+    auto texture = device_.createTexture(desc);
+    if (!texture) return tl::unexpected(texture.error());
+    if (map) device_.destroy(map);
+    map = *texture;
+    return {};
+}
+
+Result<void> ShadowGlassPass::reserveSun(uint32_t resolution, uint32_t layers) {
+    if (sun_ && resolution == resolution_ && layers == layers_) return {};
+    if (auto ok = reserve(sun_, "shadow-map-glass", resolution, layers); !ok) return ok;
+    resolution_ = resolution;
+    layers_ = layers;
+    forget();
+    return {};
+}
+
+Result<ShadowGlassPass::SunOutputs> ShadowGlassPass::addSun(FramePlan& plan, const SunInputs& in) {
+    SunOutputs out;
+    if (std::ranges::all_of(in.views, [](const SunView& v) { return v.casters->items.empty(); }))
+        return out;
+    if (auto ok = reserveSun(in.resolution, uint32_t(in.views.size())); !ok)
+        return tl::unexpected(ok.error());
+    out.glass = plan.importImage(
+        {"shadow-map-glass", Format::rgba16f, resolution_, resolution_, layers_}, sun_);
+    constexpr std::string_view kParallel[] = {"PARALLEL_LIGHT"};
+    for (uint32_t i = 0; i < in.views.size(); ++i) {
+        const SunView& view = in.views[i];
+        const uint64_t content = contentOf(view);
+        if (in.caching && contents_[i] == content) continue;
+        contents_[i] = content;
+        out.drawnViews |= 1u << i;
+        if (auto ok = sunPipelines_.assign(*view.casters, kParallel); !ok)
+            return tl::unexpected(ok.error());
+        const PassTargets::Color colors[] = {{out.glass, LoadOp::clear, kNothing, i}};
+        PassTargets targets;
+        targets.colors = colors;
+        targets.depth = {in.map, LoadOp::keep, i, true};
+        plan.addPass<SunPayload>(kPassNames[i], targets, {view.casters, view.uniforms, in.binder},
+                                 recordSun);
+    }
+    return out;
+}
+
+Result<void> ShadowGlassPass::createClear() {
+    if (clear_) return {};
+    PipelineDesc desc;
+    desc.label = "shadow.glass.clear";
+    desc.vertexShader = "passes/shadow/shadow_tile.vert";
+    desc.fragmentShader = "passes/shadow/shadow_glass_clear.frag";
+    auto clear = device_.createPipeline(desc);
+    if (!clear) return tl::unexpected(clear.error());
+    clear_ = *clear;
+    return {};
+}
+
+void ShadowGlassPass::recordAtlas(const AtlasPayload& p, PassContext& context) {
+    CommandBuffer& commands = context.commands;
+    const auto enter = [&](const GlassDraw& draw) {
+        const ShadowTile& t = draw.face->tile;
+        commands.push(SetViewport{t.x, t.y, t.size, t.size});
+        commands.push(SetScissor{t.x, t.y, t.size, t.size});
+    };
+    commands.push(SetPipeline{p.clear});
+    for (const GlassDraw& draw : p.draws) {
+        enter(draw);
+        commands.push(Draw{3, 1, 0});
+    }
+    bindMaterials(p.binder, commands);
+    for (const GlassDraw& draw : p.draws) {
+        if (!draw.casters) continue;
+        enter(draw);
+        commands.push(BindUniforms{RL_UNIFORMS_VIEW, 0, draw.viewUniforms});
+        p.binder.record(commands, *draw.casters);
+    }
+}
+
+Result<ImageId> ShadowGlassPass::addAtlas(FramePlan& plan, const AtlasInputs& in) {
+    if (auto ok = createClear(); !ok) return tl::unexpected(ok.error());
+    if (!atlas_ || atlasSize_ != in.size) {
+        if (auto ok = reserve(atlas_, "shadow-atlas-glass", in.size, 1); !ok)
+            return tl::unexpected(ok.error());
+        atlasSize_ = in.size;
+        atlasIsNew_ = true;
+    }
+    const ImageId glass = plan.importImage(
+        {"shadow-atlas-glass", Format::rgba16f, in.size, in.size}, atlas_);
+    for (const GlassDraw& draw : in.draws)
+        if (draw.casters)
+            if (auto ok = atlasPipelines_.assign(*draw.casters); !ok)
+                return tl::unexpected(ok.error());
+    if (in.draws.empty()) return glass;
+    // What no tile covers is written once, so that the map's hash is of known bytes.
+    const LoadOp load = std::exchange(atlasIsNew_, false) ? LoadOp::clear : LoadOp::keep;
+    const PassTargets::Color colors[] = {{glass, load, kNothing}};
+    PassTargets targets;
+    targets.colors = colors;
+    targets.depth = {in.atlas, LoadOp::keep, 0, true};
+    plan.addPass<AtlasPayload>("shadow.atlas.glass", targets, {in.draws, in.binder, clear_},
+                               recordAtlas);
+    return glass;
+}
+
+}  // namespace rushlight

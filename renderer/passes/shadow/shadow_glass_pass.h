@@ -1,0 +1,73 @@
+#pragma once
+// The colours that light takes on its way, beside the shadow maps: of what light goes through
+// before the opaque casters, the product of the colours, and the depth where it first does
+// (shaders/common/shadow/glass_shadow.glsl). Maps have the layout of the shadow maps, and are made
+// when there is something to be drawn into them.
+
+#include "renderer/passes/shadow/shadow_pass.h"
+#include "renderer/passes/surface/surface_pipelines.h"
+#include "renderer/plan/frame_plan.h"
+#include "renderer/shadows/shadow_schedule.h"
+
+#include <array>
+
+namespace rushlight {
+
+class ShadowGlassPass {
+public:
+    struct SunView {
+        DrawList* casters = nullptr;  ///< what colours light; arranged
+        BufferRange uniforms;
+        uint64_t opaque = 0;  ///< of what the shadow map holds: another number when that changes
+    };
+    struct SunInputs {
+        std::span<const SunView> views;  ///< by layer
+        ImageId map;                     ///< the shadow map, drawn before
+        uint32_t resolution = 0;
+        DrawBinder binder;
+        bool caching = true;
+    };
+    struct SunOutputs {
+        ImageId glass;            ///< RGBA16F array; null where no view sees what colours light
+        uint32_t drawnViews = 0;  ///< as bits; the others' casters need no data
+    };
+    struct AtlasInputs {
+        std::span<const GlassDraw> draws;  ///< until the plan is recorded
+        ImageId atlas;                     ///< drawn before
+        uint32_t size = 0;
+        DrawBinder binder;
+    };
+
+    explicit ShadowGlassPass(Device& device);
+    ~ShadowGlassPass();
+    Result<SunOutputs> addSun(FramePlan& plan, const SunInputs& inputs);
+    /// RGBA16F array of one layer.
+    Result<ImageId> addAtlas(FramePlan& plan, const AtlasInputs& inputs);
+    /// Shader or mesh contents changed, or what was planned was not drawn: nothing cached is good
+    /// any more. (Of the atlas's squares, ShadowLights knows.)
+    void forget() {
+        contents_ = {};
+        atlasIsNew_ = true;
+    }
+
+private:
+    struct AtlasPayload {
+        std::span<const GlassDraw> draws;
+        DrawBinder binder;
+        PipelineHandle clear;
+    };
+    static void recordAtlas(const AtlasPayload&, PassContext&);
+    Result<void> reserve(TextureHandle& map, const char* label, uint32_t size, uint32_t layers);
+    Result<void> reserveSun(uint32_t resolution, uint32_t layers);
+    Result<void> createClear();
+
+    Device& device_;
+    SurfacePipelines sunPipelines_, atlasPipelines_;
+    PipelineHandle clear_;
+    TextureHandle sun_, atlas_;
+    uint32_t resolution_ = 0, layers_ = 0, atlasSize_ = 0;
+    bool atlasIsNew_ = true;
+    std::array<uint64_t, ShadowPass::kMaxViews> contents_{};
+};
+
+}  // namespace rushlight

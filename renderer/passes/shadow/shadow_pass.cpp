@@ -1,0 +1,91 @@
+#include "renderer/passes/shadow/shadow_pass.h"
+
+#include "engine/core/hash.h"
+#include "renderer/materials/surface_variant.h"
+#include "shaders/interop/bindings.h"
+
+#include <cstring>
+
+namespace rushlight {
+namespace {
+
+constexpr const char* kPassNames[ShadowPass::kMaxViews] = {
+    "shadow.0", "shadow.1", "shadow.2", "shadow.3", "shadow.4",
+    "shadow.5", "shadow.6", "shadow.7", "shadow.8", "shadow.9"};
+
+struct Payload {
+    const DrawList* casters;
+    BufferRange viewUniforms;
+    DrawBinder binder;
+};
+
+void record(const Payload& payload, PassContext& context) {
+    context.commands.push(BindUniforms{RL_UNIFORMS_VIEW, 0, payload.viewUniforms});
+    context.commands.push(BindTexelBuffer{
+        RL_TEXTURE_MATERIALS, Format::rgba32ui, {}, payload.binder.materials->buffer()});
+    payload.binder.record(context.commands, *payload.casters);
+}
+
+}  // namespace
+
+// Casters are drawn where they are: what keeps surfaces from shading themselves is at the receivers
+// (shaders/common/shadow/shadow_filter.glsl). Depth is clamped so that casters before the view
+// still cast.
+ShadowPass::ShadowPass(Device& device)
+    : device_(device),
+      pipelines_(device, {.label = "shadow",
+                          .vertexShader = "passes/surface/surface.vert",
+                          .fragmentShader = "passes/shadow/depth.frag",
+                          .depthClamp = true}) {}
+
+ShadowPass::~ShadowPass() {
+    if (map_) device_.destroy(map_);
+}
+
+Result<void> ShadowPass::reserve(uint32_t resolution, uint32_t layers) {
+    if (map_ && resolution == resolution_ && layers == layers_) return {};
+    TextureDesc desc;
+    desc.label = "shadow-map";
+    desc.kind = TextureKind::texture2dArray;
+    desc.format = Format::depth32f;
+    desc.width = desc.height = resolution;
+    desc.layers = layers;
+    auto texture = device_.createTexture(desc);
+    if (!texture) return tl::unexpected(texture.error());
+    if (map_) device_.destroy(map_);
+    map_ = *texture;
+    resolution_ = resolution;
+    layers_ = layers;
+    forget();
+    return {};
+}
+
+Result<ShadowPass::Outputs> ShadowPass::add(FramePlan& plan, const Inputs& inputs) {
+    const uint32_t count = uint32_t(inputs.views.size());
+    if (auto ok = reserve(inputs.resolution, count); !ok) return tl::unexpected(ok.error());
+    Outputs out;
+    out.map = plan.importImage({"shadow-map", Format::depth32f, resolution_, resolution_, layers_},
+                               map_);
+    out.contents = hashes_;
+    for (uint32_t i = 0; i < count; ++i) {
+        const View& view = inputs.views[i];
+        DrawList& casters = *view.casters;
+        const uint64_t hash = casters.contentHash() ^ mixBits(inputs.world.value) ^
+                              hashBytes(&view.cascade->clipFromWorld, sizeof(mat4), 7);
+        if (inputs.caching && hash == hashes_[i]) {
+            ++out.cached;
+            continue;
+        }
+        hashes_[i] = hash;
+        ++out.drawn;
+        out.drawnViews |= 1u << i;
+        if (auto ok = pipelines_.assign(casters); !ok) return tl::unexpected(ok.error());
+        PassTargets targets;
+        targets.depth = {out.map, LoadOp::clear, i};
+        plan.addPass<Payload>(kPassNames[i], targets, {&casters, view.uniforms, inputs.binder},
+                              record);
+    }
+    return out;
+}
+
+}  // namespace rushlight

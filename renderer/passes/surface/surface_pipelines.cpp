@@ -1,0 +1,71 @@
+#include "renderer/passes/surface/surface_pipelines.h"
+
+#include "renderer/materials/surface_variant.h"
+#include "shaders/interop/bindings.h"
+
+#include <algorithm>
+
+namespace rushlight {
+namespace {
+
+CullMode cullMode(uint32_t flags) {
+    if (flags & kDoubleSided) return CullMode::none;
+    return flags & kMirrored ? CullMode::front : CullMode::back;
+}
+
+}  // namespace
+
+void DecalBindings::record(CommandBuffer& commands) const {
+    if (!*this) return;
+    commands.push(BindTexture{RL_TEXTURE_DECAL_COLOR, color, sampler});
+    commands.push(BindTexture{RL_TEXTURE_DECAL_DETAIL, detail, sampler});
+    commands.push(BindTexelBuffer{RL_TEXTURE_DECALS, Format::rgba32f, {}, records});
+    commands.push(BindTexelBuffer{RL_TEXTURE_DECAL_LISTS, Format::r32ui, {}, lists});
+}
+
+Result<void> SurfacePipelines::assign(DrawList& list,
+                                      std::span<const std::string_view> extraDefines) {
+    for (DrawBatch& batch : list.batches) {
+        auto pipeline = find(batch, extraDefines);
+        if (!pipeline) return tl::unexpected(pipeline.error());
+        batch.pipeline = *pipeline;
+    }
+    return {};
+}
+
+Result<PipelineHandle> SurfacePipelines::find(const DrawBatch& batch,
+                                              std::span<const std::string_view> extraDefines) {
+    const uint32_t flags = batch.surfaceFlags & desc_.usedFlags;
+    const bool depthOnly = desc_.fragmentShader == "passes/shadow/depth.frag";
+    const bool colorless = depthOnly || desc_.fragmentShader == "passes/shadow/shadow_glass.frag";
+    const bool positionsOnly = depthOnly && !(flags & kAlphaMask);
+    for (const Entry& entry : entries_)
+        if (entry.flags == flags && std::ranges::equal(entry.extraDefines, extraDefines))
+            return entry.pipeline;
+
+    std::vector<std::string_view> defines(extraDefines.begin(), extraDefines.end());
+    if (!positionsOnly) appendDefines(flags, defines);
+    if (colorless) defines.push_back("DEPTH_ONLY");
+    PipelineDesc desc;
+    desc.label = desc_.label;
+    desc.vertexShader = positionsOnly ? "passes/shadow/depth.vert" : desc_.vertexShader;
+    desc.fragmentShader = desc_.fragmentShader;
+    desc.defines = defines;
+    desc.layout = positionsOnly       ? VertexLayout::position
+                  : flags & kExtended ? VertexLayout::extended
+                                      : VertexLayout::standard;
+    desc.movingInstances = flags & kMoving;
+    desc.cull = cullMode(flags);
+    desc.depthClamp = desc_.depthClamp;
+    desc.depthBias = desc_.depthBias;
+    desc.depthBiasSlope = desc_.depthBiasSlope;
+    desc.depthTest = desc_.depthTest;
+    desc.depthWrite = desc_.depthWrite;
+    desc.blend = flags & kTransmission ? desc_.transmissive : desc_.blend;
+    auto pipeline = device_.createPipeline(desc);
+    if (!pipeline) return pipeline;
+    entries_.push_back({flags, {extraDefines.begin(), extraDefines.end()}, *pipeline});
+    return pipeline;
+}
+
+}  // namespace rushlight

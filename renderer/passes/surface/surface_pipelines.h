@@ -1,0 +1,60 @@
+#pragma once
+
+#include "renderer/rhi/device.h"
+#include "renderer/visibility/draw_list.h"
+
+#include <string_view>
+#include <vector>
+
+namespace rushlight {
+
+/// What the pipelines of one surface pass have in common.
+struct SurfacePipelineDesc {
+    std::string_view label;  ///< static
+    std::string_view vertexShader;
+    std::string_view fragmentShader;
+    uint32_t usedFlags = ~0u;  ///< surface flags that change the program; others are masked off
+    CompareOp depthTest = CompareOp::greater;
+    bool depthWrite = true;
+    bool depthClamp = false;
+    float depthBias = 0;
+    float depthBiasSlope = 0;
+    BlendMode blend = BlendMode::off;
+    BlendMode transmissive = BlendMode::off;  ///< of surfaces that light goes through
+};
+
+/// What surfaces read to lay decals over themselves; none where `records` is empty.
+struct DecalBindings {
+    BufferRange records;  ///< GpuDecal
+    BufferRange lists;    ///< DecalClusters::lists
+    TextureHandle color, detail;
+    SamplerHandle sampler;
+
+    explicit operator bool() const { return records.size > 0; }
+    void record(CommandBuffer& commands) const;
+};
+
+/// The pipelines of a surface pass by variant, compiled when first needed.
+class SurfacePipelines {
+public:
+    SurfacePipelines(Device& device, const SurfacePipelineDesc& desc)
+        : device_(device), desc_(desc) {}
+
+    /// Sets DrawBatch::pipeline. `extraDefines` are static texts; a different list makes different
+    /// pipelines.
+    Result<void> assign(DrawList& list, std::span<const std::string_view> extraDefines = {});
+
+private:
+    struct Entry {
+        uint32_t flags;
+        std::vector<std::string_view> extraDefines;
+        PipelineHandle pipeline;
+    };
+    Result<PipelineHandle> find(const DrawBatch&, std::span<const std::string_view> extraDefines);
+
+    Device& device_;
+    SurfacePipelineDesc desc_;
+    std::vector<Entry> entries_;
+};
+
+}  // namespace rushlight

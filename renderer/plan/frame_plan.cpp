@@ -1,0 +1,266 @@
+#include "renderer/plan/frame_plan.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace rushlight {
+namespace {
+
+// A pooled texture that no frame has used for this long is given back.
+constexpr uint32_t kFramesToKeepUnused = 8;
+
+bool sameShape(const PlanImage& a, const PlanImage& b) {
+    return a.format == b.format && a.width == b.width && a.height == b.height &&
+           a.layers == b.layers;
+}
+
+}  // namespace
+
+TextureHandle PassContext::texture(ImageId image) const {
+    RL_CHECK(plan_.declared(pass_, image), "a pass uses an image that it did not declare");
+    return plan_.texture(image);
+}
+
+FramePlan::~FramePlan() {
+    for (const PooledTexture& pooled : pool_) device_.destroy(pooled.texture);
+}
+
+void FramePlan::begin() {
+    passes_.clear();
+    images_.clear();
+    payloads_.clear();
+    kept_.clear();
+}
+
+ImageId FramePlan::createImage(const PlanImage& desc) {
+    Image image;
+    image.desc = desc;
+    images_.push_back(image);
+    return {uint32_t(images_.size() - 1)};
+}
+
+ImageId FramePlan::importImage(const PlanImage& desc, TextureHandle texture) {
+    const ImageId id = createImage(desc);
+    images_.back().imported = true;
+    images_.back().texture = texture;
+    return id;
+}
+
+void FramePlan::requestImage(ImageId image) { images_[image.value].requested = true; }
+
+void FramePlan::addPass(const char* name, const PassTargets& targets, const void* payload,
+                        size_t size, void (*function)(), Caller caller) {
+    RL_CHECK(targets.colors.size() <= kMaxColorAttachments, "a pass has too many colour targets");
+    RL_CHECK(targets.reads.size() <= kMaxReads, "a pass declares too many reads");
+    Pass pass{};
+    pass.name = name;
+    for (const PassTargets::Color& color : targets.colors)
+        if (color.image) pass.colors[pass.colorCount++] = color;
+    pass.depth = targets.depth;
+    for (ImageId image : targets.reads)
+        if (image) pass.reads[pass.readCount++] = image;
+    pass.toFrameTarget = targets.toFrameTarget;
+    pass.frameWidth = targets.frameWidth;
+    pass.frameHeight = targets.frameHeight;
+    pass.payload = payloads_.size();
+    payloads_.resize(payloads_.size() + CommandBuffer::padded(size));
+    std::memcpy(payloads_.data() + pass.payload, payload, size);
+    pass.function = function;
+    pass.caller = caller;
+    passes_.push_back(pass);
+}
+
+Result<void> FramePlan::compile() {
+    if (auto ordered = checkOrder(); !ordered) return ordered;
+    dropUnneeded();
+    return allocate();
+}
+
+// Every read, and every target whose old content is kept, must have been written by an earlier pass
+// or imported.
+Result<void> FramePlan::checkOrder() {
+    std::vector<bool>& written = writtenScratch_;
+    written.assign(images_.size(), false);
+    for (uint32_t i = 0; i < images_.size(); ++i) written[i] = images_[i].imported;
+    for (const Pass& pass : passes_) {
+        const auto require = [&](ImageId image) -> Result<void> {
+            if (written[image.value]) return {};
+            return fail(std::string("pass '") + pass.name + "'",
+                        std::string("reads the image '") + images_[image.value].desc.name +
+                            "', which no earlier pass writes.",
+                        ErrorKind::wrongUse);
+        };
+        for (uint32_t i = 0; i < pass.readCount; ++i)
+            if (auto ok = require(pass.reads[i]); !ok) return ok;
+        for (uint32_t i = 0; i < pass.colorCount; ++i) {
+            if (pass.colors[i].load == LoadOp::keep)
+                if (auto ok = require(pass.colors[i].image); !ok) return ok;
+            written[pass.colors[i].image.value] = true;
+        }
+        if (pass.depth.image) {
+            if (pass.depth.load == LoadOp::keep || pass.depth.readOnly)
+                if (auto ok = require(pass.depth.image); !ok) return ok;
+            written[pass.depth.image.value] = true;
+        }
+    }
+    return {};
+}
+
+void FramePlan::dropUnneeded() {
+    std::vector<bool>& wanted = writtenScratch_;
+    wanted.assign(images_.size(), false);
+    for (uint32_t i = 0; i < images_.size(); ++i)
+        wanted[i] = images_[i].imported || images_[i].requested;
+    for (size_t i = passes_.size(); i-- > 0;) {
+        Pass& pass = passes_[i];
+        pass.needed = pass.toFrameTarget;
+        for (uint32_t c = 0; c < pass.colorCount; ++c)
+            pass.needed |= wanted[pass.colors[c].image.value];
+        if (pass.depth.image && !pass.depth.readOnly) pass.needed |= wanted[pass.depth.image.value];
+        if (!pass.needed) continue;
+        for (uint32_t r = 0; r < pass.readCount; ++r) wanted[pass.reads[r].value] = true;
+        for (uint32_t c = 0; c < pass.colorCount; ++c)
+            if (pass.colors[c].load == LoadOp::keep) wanted[pass.colors[c].image.value] = true;
+        if (pass.depth.image && (pass.depth.load == LoadOp::keep || pass.depth.readOnly))
+            wanted[pass.depth.image.value] = true;
+    }
+    for (uint32_t i = 0; i < passes_.size(); ++i)
+        if (passes_[i].needed) kept_.push_back(i);
+}
+
+Result<void> FramePlan::allocate() {
+    for (Image& image : images_) image.firstPass = ~0u;
+    for (uint32_t k = 0; k < kept_.size(); ++k) {
+        const Pass& pass = passes_[kept_[k]];
+        const auto touch = [&](ImageId id) {
+            if (!id) return;
+            Image& image = images_[id.value];
+            image.firstPass = std::min(image.firstPass, k);
+            image.lastPass = k;
+        };
+        for (uint32_t c = 0; c < pass.colorCount; ++c) touch(pass.colors[c].image);
+        for (uint32_t r = 0; r < pass.readCount; ++r) touch(pass.reads[r]);
+        touch(pass.depth.image);
+    }
+    for (PooledTexture& pooled : pool_) {
+        pooled.inUse = false;
+        ++pooled.unusedFrames;
+    }
+    for (uint32_t k = 0; k < kept_.size(); ++k) {
+        for (Image& image : images_) {
+            if (image.imported || image.firstPass != k) continue;
+            if (auto texture = acquire(image); !texture) return tl::unexpected(texture.error());
+        }
+        for (Image& image : images_)
+            if (image.poolSlot >= 0 && image.lastPass == k && !image.requested)
+                pool_[size_t(image.poolSlot)].inUse = false;
+    }
+    std::erase_if(pool_, [&](const PooledTexture& pooled) {
+        const bool stale = pooled.unusedFrames > kFramesToKeepUnused;
+        if (stale) device_.destroy(pooled.texture);
+        return stale;
+    });
+    return {};
+}
+
+Result<TextureHandle> FramePlan::acquire(Image& image) {
+    for (size_t i = 0; i < pool_.size(); ++i) {
+        if (pool_[i].inUse || !sameShape(pool_[i].desc, image.desc)) continue;
+        pool_[i].inUse = true;
+        pool_[i].unusedFrames = 0;
+        image.poolSlot = int(i);
+        return image.texture = pool_[i].texture;
+    }
+    TextureDesc desc;
+    desc.label = image.desc.name;
+    desc.kind = image.desc.layers > 1 ? TextureKind::texture2dArray : TextureKind::texture2d;
+    desc.format = image.desc.format;
+    desc.width = image.desc.width;
+    desc.height = image.desc.height;
+    desc.layers = image.desc.layers;
+    auto texture = device_.createTexture(desc);
+    if (!texture) return texture;
+    image.poolSlot = int(pool_.size());
+    pool_.push_back({image.desc, *texture, true, 0});
+    return image.texture = *texture;
+}
+
+bool FramePlan::declared(uint32_t passIndex, ImageId image) const {
+    const Pass& pass = passes_[passIndex];
+    if (pass.depth.image == image) return true;
+    for (uint32_t i = 0; i < pass.readCount; ++i)
+        if (pass.reads[i] == image) return true;
+    for (uint32_t i = 0; i < pass.colorCount; ++i)
+        if (pass.colors[i].image == image) return true;
+    return false;
+}
+
+uint32_t FramePlan::passBytesPerPixel(uint32_t kept) const {
+    const Pass& pass = passes_[kept_[kept]];
+    uint32_t bytes = pass.toFrameTarget ? 4 : 0;
+    for (uint32_t i = 0; i < pass.colorCount; ++i)
+        bytes += bytesPerTexel(images_[pass.colors[i].image.value].desc.format);
+    if (pass.depth.image && !pass.depth.readOnly)
+        bytes += bytesPerTexel(images_[pass.depth.image.value].desc.format);
+    return bytes;
+}
+
+void FramePlan::recordPass(uint32_t kept, CommandBuffer& commands) const {
+    const Pass& pass = passes_[kept_[kept]];
+    BeginPass begin;
+    std::strncpy(begin.name, pass.name, sizeof begin.name - 1);
+    begin.passIndex = kept;
+    begin.colorCount = pass.colorCount;
+    begin.toFrameTarget = pass.toFrameTarget;
+    begin.width = pass.frameWidth;
+    begin.height = pass.frameHeight;
+    for (uint32_t i = 0; i < pass.colorCount; ++i) {
+        const PassTargets::Color& color = pass.colors[i];
+        const Image& image = images_[color.image.value];
+        begin.colors[i].texture = image.texture;
+        begin.colors[i].layer = uint16_t(color.layer);
+        begin.colors[i].load = color.load;
+        begin.colors[i].clear = color.clear;
+        begin.width = image.desc.width;
+        begin.height = image.desc.height;
+    }
+    if (pass.depth.image) {
+        const Image& image = images_[pass.depth.image.value];
+        begin.depth.texture = image.texture;
+        begin.depth.layer = uint16_t(pass.depth.layer);
+        begin.depth.load = pass.depth.load;
+        begin.depth.readOnly = pass.depth.readOnly;
+        begin.width = image.desc.width;
+        begin.height = image.desc.height;
+    }
+    commands.push(begin);
+    declareImages(pass, commands);
+    PassContext context(commands, *this, kept_[kept]);
+    pass.caller(pass.function, payloads_.data() + pass.payload, context);
+    commands.push(EndPass{kept});
+}
+
+void FramePlan::declareImages(const Pass& pass, CommandBuffer& commands) const {
+    const auto declare = [&](ImageId id, bool write) {
+        const Image& image = images_[id.value];
+        DeclareImage command{image.texture, write, {}};
+        std::strncpy(command.name, image.desc.name, sizeof command.name - 1);
+        commands.push(command);
+    };
+    for (uint32_t i = 0; i < pass.readCount; ++i) declare(pass.reads[i], false);
+    for (uint32_t i = 0; i < pass.colorCount; ++i) declare(pass.colors[i].image, true);
+    if (pass.depth.image && !pass.depth.readOnly) declare(pass.depth.image, true);
+}
+
+void FramePlan::record(JobSystem& jobs, CommandBuffer& out) {
+    if (recordings_.size() < kept_.size()) recordings_.resize(kept_.size());
+    jobs.forRanges(uint32_t(kept_.size()), 1, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t k = begin; k < end; ++k) {
+            recordings_[k].clear();
+            recordPass(k, recordings_[k]);
+        }
+    });
+    for (uint32_t k = 0; k < kept_.size(); ++k) out.append(recordings_[k]);
+}
+
+}  // namespace rushlight
