@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/frame/lights.h"
+#include "renderer/lighting/light_patterns.h"
 
 #include <cstdint>
 #include <span>

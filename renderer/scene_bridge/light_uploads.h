@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/assets/model.h"
+#include "renderer/lighting/light_patterns.h"
 #include "renderer/renderer.h"
 
 #include <vector>

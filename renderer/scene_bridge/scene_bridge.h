@@ -3,6 +3,7 @@
 // renderer's thread.
 
 #include "engine/assets/model.h"
+#include "renderer/lighting/light_patterns.h"
 #include "renderer/renderer.h"
 #include "renderer/scene_bridge/resource_sink.h"
 

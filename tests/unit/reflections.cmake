@@ -1,5 +1,5 @@
 add_executable(reflection_probes_test lighting/reflection_probes_test.cpp)
 target_include_directories(reflection_probes_test PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
 target_link_libraries(reflection_probes_test PRIVATE
-  rushlight_renderer rushlight_frame rushlight_options GTest::gtest_main)
+  rushlight_renderer rushlight_pipeline rushlight_options GTest::gtest_main)
 gtest_discover_tests(reflection_probes_test)

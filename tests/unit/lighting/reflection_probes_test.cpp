@@ -3,6 +3,7 @@
 
 #include "interop/reflection_probe.h"
 #include "renderer/pipeline/capture_cube.h"
+#include "renderer/renderer.h"
 #include "renderer/resources/reflection_store.h"
 #include "tests/support/random.h"
 
