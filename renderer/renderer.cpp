@@ -3,7 +3,7 @@
 #include "renderer/backend/gl/gl_device.h"
 #include "renderer/backend/null/null_device.h"
 #include "renderer/pipeline/capture_cube.h"
-#include "renderer/pipeline/frame_renderer.h"
+#include "renderer/pipeline/frame_pipeline.h"
 #include "renderer/rhi/half_floats.h"
 #include "renderer/rhi/threaded_device.h"
 
@@ -22,8 +22,9 @@ struct Renderer::State {
     std::atomic<bool> used{false};
     SerialJobs serialJobs;
     JobSystem* hostJobs = nullptr;
-    std::unique_ptr<FrameRenderer> frames;
+    std::unique_ptr<FramePipeline> frames;
     uint32_t lastTicket = 0;
+    ViewHandle captureView;  // of captureEnvironment
     ReadbackImage readback;
 
     JobSystem& jobs() { return hostJobs ? *hostJobs : serialJobs; }
@@ -148,7 +149,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const RendererDesc& desc) {
         state->device = std::move(threaded);
     }
     state->hostJobs = desc.jobs;
-    state->frames = std::make_unique<FrameRenderer>(*state->device, state->jobs(), desc.log,
+    state->frames = std::make_unique<FramePipeline>(*state->device, state->jobs(), desc.log,
                                                     desc.cacheDirectory);
     state->frames->setValidation(desc.validateCommands.value_or(kDebugBuild));
     return std::unique_ptr<Renderer>(new Renderer(std::move(state)));
@@ -157,7 +158,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const RendererDesc& desc) {
 Result<MeshHandle> Renderer::createMesh(const MeshDesc& desc) {
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->geometry.create(desc);
+    return state_->frames->stores.geometry.create(desc);
 }
 Result<void> Renderer::createMeshes(std::span<const MeshDesc> meshes,
                                     std::span<MeshHandle> handles) {
@@ -168,29 +169,27 @@ Result<void> Renderer::createMeshes(std::span<const MeshDesc> meshes,
 Result<void> Renderer::updateMesh(MeshHandle mesh, const MeshDesc& desc) {
     const Use use(*state_);
     if (!use) return use.error();
-    state_->frames->forgetCaches();
-    return state_->frames->geometry.update(mesh, desc);
+    return state_->frames->stores.geometry.update(mesh, desc);
 }
 Result<ImageHandle> Renderer::createImage(const ImageDesc& desc) {
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->textures.create(desc);
+    return state_->frames->stores.textures.create(desc);
 }
 Result<MaterialHandle> Renderer::createMaterial(const MaterialDesc& desc) {
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->materials.create(desc);
+    return state_->frames->stores.materials.create(desc);
 }
 Result<void> Renderer::updateMaterial(MaterialHandle material, const MaterialDesc& desc) {
     const Use use(*state_);
     if (!use) return use.error();
-    if (desc.alphaMode == AlphaMode::mask) state_->frames->forgetCaches();
-    return state_->frames->materials.update(material, desc);
+    return state_->frames->stores.materials.update(material, desc);
 }
 Result<EnvironmentHandle> Renderer::createEnvironment(const EnvironmentDesc& desc) {
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->environments.create(desc);
+    return state_->frames->stores.environments.create(desc);
 }
 Result<EnvironmentHandle> Renderer::createPrefilteredEnvironment(
     const PrefilteredEnvironmentDesc& desc) {
@@ -198,7 +197,7 @@ Result<EnvironmentHandle> Renderer::createPrefilteredEnvironment(
     if (!use) return use.error();
     const auto converted = convertPrefiltered(desc, state_->jobs());
     if (!converted) return tl::unexpected(converted.error());
-    return state_->frames->environments.create(*converted);
+    return state_->frames->stores.environments.create(*converted);
 }
 Result<PrefilteredEnvironment> Renderer::capture(const FrameInput& input, const vec3& position,
                                                  const CaptureDesc& desc) {
@@ -210,7 +209,14 @@ Result<PrefilteredEnvironment> Renderer::capture(const FrameInput& input, const 
             return fail("capture of an environment", "the context was lost.", ErrorKind::noContext);
         return {};
     };
-    auto cube = captureCube(input, position, desc, render);
+    FrameInput seen = input;
+    {
+        const Use use(*state_);
+        if (!use) return use.error();
+        if (!state_->captureView) state_->captureView = state_->frames->createView();
+        seen.view.state = state_->captureView;
+    }
+    auto cube = captureCube(seen, position, desc, render);
     if (!cube) return tl::unexpected(cube.error());
     return prefilterCube(std::move(*cube), state_->jobs());
 }
@@ -221,108 +227,116 @@ Result<EnvironmentHandle> Renderer::captureEnvironment(const FrameInput& input,
     if (!captured) return tl::unexpected(captured.error());
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->environments.create(*captured);
+    return state_->frames->stores.environments.create(*captured);
 }
 Result<void> Renderer::recaptureEnvironment(EnvironmentHandle environment, const FrameInput& input,
                                             const vec3& position, const CaptureDesc& desc) {
     {
         const Use use(*state_);
         if (!use) return use.error();
-        if (!state_->frames->environments.find(environment))
+        if (!state_->frames->stores.environments.find(environment))
             return fail("environment", "the handle is stale or none.", ErrorKind::wrongUse);
     }
     const auto captured = capture(input, position, desc);
     if (!captured) return tl::unexpected(captured.error());
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->environments.update(environment, *captured);
+    return state_->frames->stores.environments.update(environment, *captured);
 }
 Result<DecalMaterialHandle> Renderer::createDecalMaterial(const DecalMaterialDesc& desc) {
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->decals.create(desc);
+    return state_->frames->stores.decals.create(desc);
 }
 Result<LightProfileHandle> Renderer::createLightProfile(const LightProfileDesc& desc) {
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->lightPatterns.create(desc);
+    return state_->frames->stores.lightPatterns.create(desc);
 }
 Result<LightCookieHandle> Renderer::createLightCookie(const LightCookieDesc& desc) {
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->lightPatterns.create(desc);
+    return state_->frames->stores.lightPatterns.create(desc);
 }
 void Renderer::destroy(MeshHandle mesh) {
     const Use use(*state_);
     if (!use.goodOrLogged()) return;
-    state_->frames->forgetCaches();
-    state_->frames->geometry.destroy(mesh);
+    state_->frames->stores.geometry.destroy(mesh);
 }
 void Renderer::destroy(ImageHandle image) {
     const Use use(*state_);
-    if (use.goodOrLogged()) state_->frames->textures.destroy(image);
+    if (use.goodOrLogged()) state_->frames->stores.textures.destroy(image);
 }
 void Renderer::destroy(MaterialHandle material) {
     const Use use(*state_);
-    if (use.goodOrLogged()) state_->frames->materials.destroy(material);
+    if (use.goodOrLogged()) state_->frames->stores.materials.destroy(material);
 }
 void Renderer::destroy(EnvironmentHandle e) {
     const Use use(*state_);
-    if (use.goodOrLogged()) state_->frames->environments.destroy(e);
+    if (use.goodOrLogged()) state_->frames->stores.environments.destroy(e);
 }
 void Renderer::destroy(DecalMaterialHandle material) {
     const Use use(*state_);
-    if (use.goodOrLogged()) state_->frames->decals.destroy(material);
+    if (use.goodOrLogged()) state_->frames->stores.decals.destroy(material);
 }
 void Renderer::destroy(LightProfileHandle profile) {
     const Use use(*state_);
-    if (use.goodOrLogged()) state_->frames->lightPatterns.destroy(profile);
+    if (use.goodOrLogged()) state_->frames->stores.lightPatterns.destroy(profile);
 }
 void Renderer::destroy(LightCookieHandle cookie) {
     const Use use(*state_);
-    if (use.goodOrLogged()) state_->frames->lightPatterns.destroy(cookie);
+    if (use.goodOrLogged()) state_->frames->stores.lightPatterns.destroy(cookie);
 }
 
 Result<IrradianceVolumeHandle> Renderer::createIrradianceVolume(const IrradianceVolume& volume) {
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->irradianceVolumes.create(volume);
+    return state_->frames->stores.irradianceVolumes.create(volume);
 }
 Result<void> Renderer::updateIrradianceVolume(IrradianceVolumeHandle handle,
                                               const IrradianceVolume& volume) {
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->irradianceVolumes.update(handle, volume);
+    return state_->frames->stores.irradianceVolumes.update(handle, volume);
 }
 void Renderer::destroy(IrradianceVolumeHandle volume) {
     const Use use(*state_);
-    if (use.goodOrLogged()) state_->frames->irradianceVolumes.destroy(volume);
+    if (use.goodOrLogged()) state_->frames->stores.irradianceVolumes.destroy(volume);
+}
+
+ViewHandle Renderer::createView() {
+    const Use use(*state_);
+    return use.goodOrLogged() ? state_->frames->createView() : ViewHandle{};
+}
+void Renderer::destroy(ViewHandle view) {
+    const Use use(*state_);
+    if (use.goodOrLogged()) state_->frames->destroy(view);
 }
 
 WorldHandle Renderer::createWorld() {
     const Use use(*state_);
-    return use.goodOrLogged() ? state_->frames->worlds.create() : WorldHandle{};
+    return use.goodOrLogged() ? state_->frames->stores.worlds.create() : WorldHandle{};
 }
 void Renderer::destroy(WorldHandle world) {
     const Use use(*state_);
-    if (use.goodOrLogged()) state_->frames->worlds.destroy(world);
+    if (use.goodOrLogged()) state_->frames->stores.worlds.destroy(world);
 }
 Result<void> Renderer::addInstances(WorldHandle world, std::span<const Instance> instances,
                                     std::span<InstanceHandle> out) {
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->worlds.add(world, instances, out);
+    return state_->frames->stores.worlds.add(world, instances, out);
 }
 Result<void> Renderer::updateInstances(WorldHandle world, std::span<const InstanceHandle> handles,
                                        std::span<const Instance> instances) {
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->worlds.update(world, handles, instances);
+    return state_->frames->stores.worlds.update(world, handles, instances);
 }
 Result<void> Renderer::removeInstances(WorldHandle world, std::span<const InstanceHandle> handles) {
     const Use use(*state_);
     if (!use) return use.error();
-    return state_->frames->worlds.remove(world, handles);
+    return state_->frames->stores.worlds.remove(world, handles);
 }
 
 Result<void> Renderer::render(const FrameInput& input, const FrameTarget& target,
@@ -330,9 +344,7 @@ Result<void> Renderer::render(const FrameInput& input, const FrameTarget& target
     const Use use(*state_);
     if (!use) return use.error();
     if (target.width == 0 || target.height == 0) return {};
-    FrameOutput output;
-    output.target = target;
-    return state_->frames->render(input, output, options);
+    return state_->frames->render(input, target, nullptr, options);
 }
 
 Result<CaptureTicket> Renderer::renderOffscreen(const FrameInput& input, uint32_t width,
@@ -340,15 +352,13 @@ Result<CaptureTicket> Renderer::renderOffscreen(const FrameInput& input, uint32_
                                                 const FrameOptions& options) {
     const Use use(*state_);
     if (!use) return use.error();
-    FrameOutput output;
-    output.target.width = width;
-    output.target.height = height;
-    output.offscreen = true;
-    output.hdr = kind == CaptureKind::hdr;
-    output.ticket = ++state_->lastTicket;
-    if (auto ok = state_->frames->render(input, output, options); !ok)
+    FrameTarget target;
+    target.width = width;
+    target.height = height;
+    const CaptureRequest capture{kind, ++state_->lastTicket};
+    if (auto ok = state_->frames->render(input, target, &capture, options); !ok)
         return tl::unexpected(ok.error());
-    return CaptureTicket{output.ticket};
+    return CaptureTicket{capture.ticket};
 }
 
 bool Renderer::takeCapture(CaptureTicket ticket, bool wait, CapturedImage& image) {
@@ -366,8 +376,9 @@ std::vector<InstanceFacts> Renderer::describeInstances() const {
 }
 std::optional<MaterialDesc> Renderer::describeMaterial(MaterialHandle material) const {
     const Use use(*state_);
-    const MaterialDesc* desc = use.goodOrLogged() ? state_->frames->materials.describe(material)
-                                                  : nullptr;
+    const MaterialDesc* desc = use.goodOrLogged()
+                                   ? state_->frames->stores.materials.describe(material)
+                                   : nullptr;
     return desc ? std::optional(*desc) : std::nullopt;
 }
 std::string Renderer::printCommands() const { return print(state_->frames->commands()); }
@@ -383,7 +394,7 @@ std::string Renderer::printLabelledCommands() const {
 Result<uint32_t> Renderer::reloadShaders() {
     const Use use(*state_);
     if (!use) return use.error();
-    state_->frames->forgetCaches();
+    state_->frames->forgetImages();
     return state_->device->reloadShaders();
 }
 void Renderer::finish() {

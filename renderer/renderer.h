@@ -99,9 +99,17 @@ public:
     void destroy(LightProfileHandle);
     void destroy(LightCookieHandle);
 
+    /// What a view remembers from frame to frame, for View::state: exposure, where the camera and
+    /// objects were, levels of detail, shadow maps. Any number of views may be rendered in one step
+    /// and do not disturb each other; a frame that fails leaves its view as it was. Whoever renders
+    /// one view needs none: View::state is zero for the default one. Environments are captured with
+    /// one of the renderer's own.
+    ViewHandle createView();
+    void destroy(ViewHandle);
+
     // Worlds: instances that the renderer keeps, so that a frame costs what is seen and what
-    // changed, not what exists. An instance that was updated moves from where the last frame had
-    // it; Instance::previousTransform and kInstanceMoving are not looked at. A stale handle is an
+    // changed, not what exists. An instance that was updated moves from where its view saw it last;
+    // Instance::previousTransform and kInstanceMoving are not looked at. A stale handle is an
     // Error, and then nothing is done.
     WorldHandle createWorld();
     void destroy(WorldHandle);

@@ -60,7 +60,7 @@ struct Finding {
 
 /// What is tried on the frame, one thing at a time.
 enum class Trial : uint8_t {
-    frameShown,  ///< FrameSettings::show is the frame
+    frameShown,  ///< FrameSettings::debugView is the frame
     noFog,
     noShadows,
     lightsTurned,     ///< suns, spots and flat lights shine the other way

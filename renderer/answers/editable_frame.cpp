@@ -65,8 +65,8 @@ Result<CapturedImage> Shots::take(const FrameInput& input, CaptureKind kind) {
     return image;
 }
 
-Result<CapturedImage> Shots::take(FrameInput input, ShownImage show, CaptureKind kind) {
-    input.settings.show = show;
+Result<CapturedImage> Shots::take(FrameInput input, DebugView show, CaptureKind kind) {
+    input.settings.debugView = show;
     return take(input, kind);
 }
 

@@ -40,7 +40,7 @@ public:
     Shots(Renderer& renderer, uvec2 size) : renderer_(renderer), size_(size) {}
 
     Result<CapturedImage> take(const FrameInput& input, CaptureKind kind);
-    Result<CapturedImage> take(FrameInput input, ShownImage show,
+    Result<CapturedImage> take(FrameInput input, DebugView show,
                                CaptureKind kind = CaptureKind::display);
     Renderer& renderer() { return renderer_; }
     uvec2 size() const { return size_; }

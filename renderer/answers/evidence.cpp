@@ -55,16 +55,16 @@ Result<FrameLook> Gatherer::look(const FrameInput& frame) {
     background.instances.clear();
     FrameInput nothing = background.input();
     nothing.world = {};
-    nothing.settings.show = ShownImage::frame;
+    nothing.settings.debugView = DebugView::none;
     FrameInput whole = frame;
-    whole.settings.show = ShownImage::frame;
+    whole.settings.debugView = DebugView::none;
     const auto display = shots_.take(frame, CaptureKind::display);
     if (!display) return tl::unexpected(display.error());
     const auto linear = shots_.take(whole, CaptureKind::hdr);
     if (!linear) return tl::unexpected(linear.error());
     const auto empty = shots_.take(nothing, CaptureKind::hdr);
     if (!empty) return tl::unexpected(empty.error());
-    const auto depth = shots_.take(frame, ShownImage::depth, CaptureKind::hdr);
+    const auto depth = shots_.take(frame, DebugView::depth, CaptureKind::hdr);
     if (!depth) return tl::unexpected(depth.error());
     FrameLook look = lookOf({&*display, &*linear, &*empty, &*depth}, !evidence_.instances.empty());
     look.veiled = veiledBy(frame.lighting.fog, frame.view, *depth);
@@ -72,11 +72,11 @@ Result<FrameLook> Gatherer::look(const FrameInput& frame) {
 }
 
 Result<void> Gatherer::lookAtSurface() {
-    const auto color = shots_.take(input_, ShownImage::baseColor);
+    const auto color = shots_.take(input_, DebugView::baseColor);
     if (!color) return tl::unexpected(color.error());
-    const auto metallic = shots_.take(input_, ShownImage::metallic);
+    const auto metallic = shots_.take(input_, DebugView::metallic);
     if (!metallic) return tl::unexpected(metallic.error());
-    const auto depth = shots_.take(input_, ShownImage::depth, CaptureKind::hdr);
+    const auto depth = shots_.take(input_, DebugView::depth, CaptureKind::hdr);
     if (!depth) return tl::unexpected(depth.error());
     evidence_.surface = surfaceOf(*color, *metallic, *depth);
     return {};

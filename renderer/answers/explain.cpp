@@ -29,7 +29,7 @@ public:
               std::span<const uvec2> pixels)
         : input_(input), shots_(renderer, size), materials_(renderer), result_(pixels.size()) {
         input_.overlay = {};
-        input_.settings.show = ShownImage::frame;
+        input_.settings.debugView = DebugView::none;
         for (size_t i = 0; i < pixels.size(); ++i) result_[i].pixel = pixels[i];
     }
 
@@ -75,7 +75,7 @@ Result<void> Explainer::takeShown() {
     facts_ = shots_.renderer().describeInstances();
     const auto shown = shots_.take(input_, CaptureKind::display);
     if (!shown) return tl::unexpected(shown.error());
-    const auto before = shots_.take(input_, ShownImage::tonemap);
+    const auto before = shots_.take(input_, DebugView::tonemap);
     if (!before) return tl::unexpected(before.error());
     for (PixelExplanation& pixel : result_) {
         const uint8_t* codes = codesAt(*shown, pixel.pixel);
@@ -88,7 +88,7 @@ Result<void> Explainer::takeShown() {
 }
 
 Result<void> Explainer::findSurfaces() {
-    const auto depth = shots_.take(input_, ShownImage::depth, CaptureKind::hdr);
+    const auto depth = shots_.take(input_, DebugView::depth, CaptureKind::hdr);
     if (!depth) return tl::unexpected(depth.error());
     placeSurfaces(*depth);
     if (facts_.empty()) return {};
@@ -123,7 +123,7 @@ void Explainer::placeSurfaces(const CapturedImage& depth) {
 }
 
 Result<void> Explainer::readGBuffer() {
-    const auto read = [&](ShownImage show, auto&& store) -> Result<void> {
+    const auto read = [&](DebugView show, auto&& store) -> Result<void> {
         const auto image = shots_.take(input_, show);
         if (!image) return tl::unexpected(image.error());
         for (PixelExplanation& pixel : result_) {
@@ -132,17 +132,17 @@ Result<void> Explainer::readGBuffer() {
         }
         return {};
     };
-    Result<void> ok = read(ShownImage::baseColor, [](PixelSurface& s, const vec3& v) {
+    Result<void> ok = read(DebugView::baseColor, [](PixelSurface& s, const vec3& v) {
         s.baseColor = interop::decodeSrgb(v);
     });
     if (ok)
-        ok = read(ShownImage::metallic, [](PixelSurface& s, const vec3& v) { s.metallic = v.x; });
+        ok = read(DebugView::metallic, [](PixelSurface& s, const vec3& v) { s.metallic = v.x; });
     if (ok)
-        ok = read(ShownImage::roughness, [](PixelSurface& s, const vec3& v) { s.roughness = v.x; });
+        ok = read(DebugView::roughness, [](PixelSurface& s, const vec3& v) { s.roughness = v.x; });
     if (ok)
-        ok = read(ShownImage::occlusion, [](PixelSurface& s, const vec3& v) { s.occlusion = v.x; });
+        ok = read(DebugView::occlusion, [](PixelSurface& s, const vec3& v) { s.occlusion = v.x; });
     if (ok)
-        ok = read(ShownImage::normal, [](PixelSurface& s, const vec3& v) {
+        ok = read(DebugView::normal, [](PixelSurface& s, const vec3& v) {
             s.normal = glm::normalize(v * 2.0f - 1.0f);
         });
     return ok;
@@ -222,7 +222,7 @@ Result<void> Explainer::splitAmbient() {
 
 Result<void> Explainer::readBloom() {
     if (!input_.settings.bloom) return {};
-    auto bloom = shots_.take(input_, ShownImage::bloom, CaptureKind::hdr);
+    auto bloom = shots_.take(input_, DebugView::bloom, CaptureKind::hdr);
     if (!bloom) return tl::unexpected(bloom.error());
     bloom_ = std::move(*bloom);
     for (PixelExplanation& p : result_)
@@ -237,7 +237,7 @@ Result<float> Explainer::measureExposure() {
     FrameInput untouched = input_;
     untouched.settings.toneMap = ToneMap::none;
     untouched.settings.dither = false;
-    const auto image = shots_.take(untouched, ShownImage::tonemap);
+    const auto image = shots_.take(untouched, DebugView::tonemap);
     if (!image) return tl::unexpected(image.error());
     const uvec2 size = shots_.size();
     std::vector<float> factors;

@@ -76,7 +76,8 @@ void addUp(PixelExplanation& pixel, const FrameInput& input, uvec2 size);
 
 /// Explains pixels of the frame that `input` describes. Frames are rendered until all is known:
 /// about 20, and two for each light that reaches one of the pixels. An Error for a pixel outside of
-/// the picture, and as Renderer::render. FrameSettings::show is not looked at, nor the overlay.
+/// the picture, and as Renderer::render. FrameSettings::debugView is not looked at, nor the
+/// overlay.
 Result<std::vector<PixelExplanation>> explain(Renderer& renderer, const FrameInput& input,
                                               uvec2 size, std::span<const uvec2> pixels);
 

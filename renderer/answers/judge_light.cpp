@@ -100,9 +100,9 @@ void judgeTrials(Judgement& j) {
               "light is left.");
     if (e.revives(Trial::frameShown))
         j.add(Cause::shownImage, 0.99f,
-              std::string("FrameSettings::show asks for \"") + toText(j.input.settings.show) +
-                  "\", not for the frame.",
-              "Set FrameSettings::show to ShownImage::frame.");
+              std::string("FrameSettings::debugView asks for \"") +
+                  toText(j.input.settings.debugView) + "\", not for the frame.",
+              "Set FrameSettings::debugView to DebugView::none.");
 }
 
 }  // namespace

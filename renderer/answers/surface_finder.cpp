@@ -52,13 +52,13 @@ Result<std::vector<uint32_t>> SurfaceFinder::find(bool withBlended) {
     uint32_t place = 1;
     do {
         if (auto ok = paint(frame, place, withBlended); !ok) return tl::unexpected(ok.error());
-        const auto image = shots_.take(frame.input(), ShownImage::metallic);
+        const auto image = shots_.take(frame.input(), DebugView::metallic);
         if (!image) return tl::unexpected(image.error());
         for (size_t i = 0; i < numbers.size(); ++i)
             numbers[i] += (image->rgba8[i * 4] * (kDigits - 1) + 127) / 255 * place;
         place *= kDigits;
     } while (place < facts_.size());
-    const auto depth = shots_.take(frame.input(), ShownImage::depth, CaptureKind::hdr);
+    const auto depth = shots_.take(frame.input(), DebugView::depth, CaptureKind::hdr);
     if (!depth) return tl::unexpected(depth.error());
     for (size_t i = 0; i < numbers.size(); ++i)
         if (!(depth->rgba32f[i * 4] > 0) || numbers[i] >= facts_.size()) numbers[i] = kNone;

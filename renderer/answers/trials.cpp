@@ -68,7 +68,7 @@ bool change(Trial trial, const FrameEvidence& evidence, TrialMaterials& material
             EditableFrame& frame) {
     switch (trial) {
         case Trial::frameShown:
-            return std::exchange(frame.settings().show, ShownImage::frame) != ShownImage::frame;
+            return std::exchange(frame.settings().debugView, DebugView::none) != DebugView::none;
         case Trial::noFog: return std::exchange(frame.lighting().fog, Fog{}).density > 0;
         case Trial::noShadows: return std::exchange(frame.settings().shadows, false);
         case Trial::lightsTurned: return turnLights(frame);

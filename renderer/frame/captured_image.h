@@ -16,8 +16,8 @@ struct CapturedImage {
 
 enum class CaptureKind : uint8_t {
     display,  ///< what is presented: tone mapped, 8 bit sRGB
-    /// Linear, before exposure and tone mapping. FrameSettings::show may ask for two other images,
-    /// as they are: `bloom`, of half the size, and `depth`, the device's reversed z in red.
+    /// Linear, before exposure and tone mapping. FrameSettings::debugView may ask for two other
+    /// images, as they are: `bloom`, of half the size, and `depth`, the device's reversed z in red.
     hdr,
 };
 

@@ -10,6 +10,7 @@
 
 namespace rushlight {
 
+using ViewHandle = Handle<struct ViewTag>;  ///< what a view remembers, see Renderer::createView
 using WorldHandle = Handle<struct WorldTag>;
 using InstanceHandle = Handle<struct InstanceTag>;  ///< within its world
 
@@ -34,13 +35,12 @@ struct Instance {
 struct View {
     mat4 viewFromWorld{1};
     bool perspective = true;
-    float verticalFov = 0.785f;     ///< perspective
-    float orthoHalfHeight = 1;      ///< orthographic
-    float aspect = 0;               ///< width over height; 0: that of the target
-    float nearPlane = 0.1f;         ///< > 0 for perspective
-    float farPlane = 0;             ///< 0: infinite (perspective only)
-    mat4 previousViewFromWorld{0};  ///< of the last frame, for velocity; all zero: the camera
-                                    ///< stands still
+    float verticalFov = 0.785f;  ///< perspective
+    float orthoHalfHeight = 1;   ///< orthographic
+    float aspect = 0;            ///< width over height; 0: that of the target
+    float nearPlane = 0.1f;      ///< > 0 for perspective
+    float farPlane = 0;          ///< 0: infinite (perspective only)
+    ViewHandle state;            ///< what it remembers; zero: the default view
 };
 
 /// A run of overlay triangles with one scissor rectangle (pixels from the top left).

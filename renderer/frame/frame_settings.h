@@ -1,6 +1,8 @@
 #pragma once
 // How a frame is drawn, and what of it is shown.
 
+#include "renderer/frame/debug_view.h"
+
 #include <cstdint>
 
 namespace rushlight {
@@ -23,38 +25,6 @@ enum class ContactShadows : uint8_t {
     sun,    ///< the first sun that casts shadows
     lights  ///< and each point and spot light that has a shadow
 };
-
-/// What the last pass shows instead of the frame, for looking into it. In the deck's order.
-enum class ShownImage : uint8_t {
-    frame,
-    bounds,  ///< the frame with the visible objects' boxes drawn over it
-    baseColor,
-    metallic,
-    roughness,
-    normal,
-    emissive,
-    occlusion,
-    velocity,
-    depth,
-    overdraw,          ///< how often the G-buffer was written at a pixel
-    shadow,            ///< the cascades side by side, and the atlas of point and spot lights
-    clusters,          ///< lights per froxel as a heat map
-    ambientOcclusion,  ///< of the screen: white where the ambient light is open
-    untextured,        ///< HDR: deferred lighting as if all surfaces were white and not metallic
-    direct,            ///< HDR: what suns and lamps give, shadowed
-    ambient,           ///< HDR: what the surroundings would give if nothing hid them
-    ambientShare,      ///< the share of that which arrives, by channel
-    emission,  ///< HDR: what glows by itself: emissive and unlit surfaces, and the background
-    lighting,  ///< HDR after deferred lighting, before forward: direct + ambient * ambientShare +
-               ///< emission
-    reflections,  ///< HDR: what surfaces mirror of the screen
-    fog,  ///< HDR: the light that the air scatters, before black; alpha is the share that it covers
-    forward,  ///< HDR after forward
-    bloom,
-    tonemap,  ///< before anti-aliasing
-    count
-};
-const char* toText(ShownImage image);  ///< the names of `--pass`
 
 struct FrameSettings {
     bool shadows = true;
@@ -97,7 +67,7 @@ struct FrameSettings {
     ToneMap toneMap = ToneMap::neutral;
     AntiAliasing antiAliasing = AntiAliasing::fxaa;
     bool dither = true;
-    ShownImage show = ShownImage::frame;
+    DebugView debugView = DebugView::none;  ///< in place of the frame
     bool frustumCulling = true;
     bool occlusionCulling = true;  ///< leave out what opaque objects hide, as far as the CPU can
                                    ///< tell

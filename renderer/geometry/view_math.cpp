@@ -60,7 +60,6 @@ Result<CameraMatrices> makeCamera(const View& view, float targetAspect) {
     };
     if (!isFinite(view.viewFromWorld) || std::abs(glm::determinant(view.viewFromWorld)) < 1e-12f)
         return wrong("viewFromWorld is not finite or cannot be inverted.");
-    if (!isFinite(view.previousViewFromWorld)) return wrong("previousViewFromWorld is not finite.");
     if (!std::isfinite(view.nearPlane) || !std::isfinite(view.farPlane) ||
         !std::isfinite(view.aspect))
         return wrong("the near plane is " + std::to_string(view.nearPlane) + " m, the far plane " +
@@ -102,9 +101,7 @@ Result<CameraMatrices> makeCamera(const View& view, float targetAspect) {
         camera.depthDecode = {-range, view.farPlane};
     }
     camera.clipFromWorld = camera.clipFromView * view.viewFromWorld;
-    const bool still = view.previousViewFromWorld == mat4(0.0f);
-    camera.previousClipFromWorld = camera.clipFromView *
-                                   (still ? view.viewFromWorld : view.previousViewFromWorld);
+    camera.previousClipFromWorld = camera.clipFromWorld;
     const mat4 worldFromView = glm::inverse(view.viewFromWorld);
     camera.position = vec3(worldFromView[3]);
     camera.right = glm::normalize(vec3(worldFromView[0]));

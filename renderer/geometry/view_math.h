@@ -24,7 +24,7 @@ struct CameraMatrices {
     mat4 viewFromWorld;
     mat4 clipFromView;
     mat4 clipFromWorld;
-    mat4 previousClipFromWorld;
+    mat4 previousClipFromWorld;  ///< of the view's last frame; makeCamera: as now
     vec3 position;
     vec3 right, up, forward;              ///< world, unit
     float tanHalfX = 1, tanHalfY = 1;     ///< perspective: of half the view angles

@@ -24,6 +24,11 @@ SamplerHandle linearClampSampler(Device& device) {
 SamplerHandle nearestClampSampler(Device& device) {
     return clampSampler(device, TextureFilter::nearest);
 }
+SamplerHandle trilinearClampSampler(Device& device) {
+    SamplerDesc desc;
+    desc.wrapU = desc.wrapV = TextureWrap::clampToEdge;
+    return device.createSampler(desc);
+}
 
 Result<PipelineHandle> FullscreenPipelines::find(std::span<const std::string_view> defines) {
     for (const Entry& entry : entries_)

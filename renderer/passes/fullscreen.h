@@ -53,6 +53,8 @@ struct FullscreenDraw {
 /// Samplers that clamp to the edge, without mip levels.
 SamplerHandle linearClampSampler(Device& device);
 SamplerHandle nearestClampSampler(Device& device);
+/// The same with mip levels.
+SamplerHandle trilinearClampSampler(Device& device);
 
 inline BufferRange appendUniforms(CommandBuffer& data, const interop::PassUniforms& uniforms) {
     return data.append(std::span<const interop::PassUniforms>(&uniforms, 1));

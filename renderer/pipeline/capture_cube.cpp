@@ -10,14 +10,16 @@ FrameInput captureInput(const FrameInput& input, const vec3& position, uint32_t 
     const vec3 forward = cubeDirection(face, 0, 0);
     const vec3 up = forward - cubeDirection(face, 0, 1);
     FrameInput seen = input;
+    const ViewHandle state = seen.view.state;
     seen.view = {};
+    seen.view.state = state;
     seen.view.viewFromWorld = glm::lookAt(position, position + forward, up);
     seen.view.verticalFov = kPi / 2;
     seen.view.aspect = 1;
     seen.view.nearPlane = desc.nearPlane;
     seen.view.farPlane = desc.farPlane;
     seen.settings.reflections = false;
-    seen.settings.show = ShownImage::frame;
+    seen.settings.debugView = DebugView::none;
     seen.overlay = {};
     seen.lighting.sunDisk.radiance = vec3(0);
     if (seen.lighting.environment) seen.lighting.background = Background::environment;

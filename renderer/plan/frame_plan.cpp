@@ -9,12 +9,24 @@ namespace {
 // A pooled texture that no frame has used for this long is given back.
 constexpr uint32_t kFramesToKeepUnused = 8;
 
+}  // namespace
+
 bool sameShape(const PlanImage& a, const PlanImage& b) {
     return a.format == b.format && a.width == b.width && a.height == b.height &&
-           a.layers == b.layers;
+           a.layers == b.layers && a.array == b.array;
 }
 
-}  // namespace
+Result<TextureHandle> createTexture(Device& device, const PlanImage& image) {
+    TextureDesc desc;
+    desc.label = image.name;
+    desc.kind = image.layers > 1 || image.array ? TextureKind::texture2dArray
+                                                : TextureKind::texture2d;
+    desc.format = image.format;
+    desc.width = image.width;
+    desc.height = image.height;
+    desc.layers = image.layers;
+    return device.createTexture(desc);
+}
 
 TextureHandle PassContext::texture(ImageId image) const {
     RL_CHECK(plan_.declared(pass_, image), "a pass uses an image that it did not declare");
@@ -30,6 +42,8 @@ void FramePlan::begin() {
     images_.clear();
     payloads_.clear();
     kept_.clear();
+    wanted_.clear();
+    published_.clear();
 }
 
 ImageId FramePlan::createImage(const PlanImage& desc) {
@@ -47,6 +61,34 @@ ImageId FramePlan::importImage(const PlanImage& desc, TextureHandle texture) {
 }
 
 void FramePlan::requestImage(ImageId image) { images_[image.value].requested = true; }
+
+void FramePlan::want(const char* name) {
+    RL_CHECK(wanted_.size() < kMaxWanted, "too many images are wanted by name");
+    wanted_.push_back(name);
+}
+
+bool FramePlan::wants(std::string_view name) const {
+    return std::ranges::find(wanted_, name) != wanted_.end();
+}
+
+void FramePlan::publish(const char* name, ImageId image) {
+    published_.push_back({name, image});
+    size_t& sealedAt = images_[image.value].sealedAt;
+    if (wants(name)) sealedAt = std::min(sealedAt, passes_.size());
+}
+
+ImageId FramePlan::find(std::string_view name) const {
+    const auto found = std::ranges::find(published_, name, &Published::name);
+    return found == published_.end() ? ImageId{} : found->image;
+}
+
+bool FramePlan::writesSealed(size_t index) const {
+    const Pass& pass = passes_[index];
+    const auto sealed = [&](ImageId image) { return images_[image.value].sealedAt <= index; };
+    for (uint32_t c = 0; c < pass.colorCount; ++c)
+        if (sealed(pass.colors[c].image)) return true;
+    return pass.depth.image && !pass.depth.readOnly && sealed(pass.depth.image);
+}
 
 void FramePlan::addPass(const char* name, const PassTargets& targets, const void* payload,
                         size_t size, void (*function)(), Caller caller) {
@@ -117,6 +159,7 @@ void FramePlan::dropUnneeded() {
         for (uint32_t c = 0; c < pass.colorCount; ++c)
             pass.needed |= wanted[pass.colors[c].image.value];
         if (pass.depth.image && !pass.depth.readOnly) pass.needed |= wanted[pass.depth.image.value];
+        pass.needed = pass.needed && !writesSealed(i);
         if (!pass.needed) continue;
         for (uint32_t r = 0; r < pass.readCount; ++r) wanted[pass.reads[r].value] = true;
         for (uint32_t c = 0; c < pass.colorCount; ++c)
@@ -171,14 +214,7 @@ Result<TextureHandle> FramePlan::acquire(Image& image) {
         image.poolSlot = int(i);
         return image.texture = pool_[i].texture;
     }
-    TextureDesc desc;
-    desc.label = image.desc.name;
-    desc.kind = image.desc.layers > 1 ? TextureKind::texture2dArray : TextureKind::texture2d;
-    desc.format = image.desc.format;
-    desc.width = image.desc.width;
-    desc.height = image.desc.height;
-    desc.layers = image.desc.layers;
-    auto texture = device_.createTexture(desc);
+    auto texture = createTexture(device_, image.desc);
     if (!texture) return texture;
     image.poolSlot = int(pool_.size());
     pool_.push_back({image.desc, *texture, true, 0});

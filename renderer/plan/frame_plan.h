@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace rushlight {
@@ -29,7 +30,10 @@ struct PlanImage {
     uint32_t width = 0;
     uint32_t height = 0;
     uint32_t layers = 1;
+    bool array = false;  ///< sampled as an array even with one layer
 };
+bool sameShape(const PlanImage& a, const PlanImage& b);
+Result<TextureHandle> createTexture(Device& device, const PlanImage& image);
 
 class FramePlan;
 
@@ -75,6 +79,7 @@ struct PassTargets {
 class FramePlan {
 public:
     static constexpr uint32_t kMaxReads = 12;
+    static constexpr uint32_t kMaxWanted = 8;
 
     explicit FramePlan(Device& device) : device_(device) {}
     ~FramePlan();
@@ -104,6 +109,18 @@ public:
 
     /// Keeps an image alive to the end and marks it needed: it is read back.
     void requestImage(ImageId image);
+
+    // Images by name, for pictures of what a frame makes on its way. Who asks does so before the
+    // passes are added; who makes an image on demand asks whether it is wanted.
+
+    /// At most kMaxWanted. `name` has static storage.
+    void want(const char* name);
+    bool wants(std::string_view name) const;
+    /// `image`, as the passes added so far leave it. Where it is wanted, passes that write it
+    /// afterwards are dropped.
+    void publish(const char* name, ImageId image);
+    /// Null where nothing was published under that name.
+    ImageId find(std::string_view name) const;
 
     /// Checks, drops and allocates. An Error names the pass and the image.
     Result<void> compile();
@@ -160,8 +177,13 @@ private:
         TextureHandle texture;
         bool imported = false;
         bool requested = false;
+        size_t sealedAt = ~size_t(0);  ///< passes from here on may not write it
         uint32_t firstPass = 0, lastPass = 0;
         int poolSlot = -1;
+    };
+    struct Published {
+        std::string_view name;
+        ImageId image;
     };
     struct PooledTexture {
         PlanImage desc;
@@ -174,6 +196,7 @@ private:
                  void (*function)(), Caller caller);
     Result<void> checkOrder();
     void dropUnneeded();
+    bool writesSealed(size_t pass) const;
     Result<void> allocate();
     Result<TextureHandle> acquire(Image& image);
     void recordPass(uint32_t kept, CommandBuffer& commands) const;
@@ -188,6 +211,8 @@ private:
     std::vector<PooledTexture> pool_;
     std::vector<CommandBuffer> recordings_;
     std::vector<bool> writtenScratch_;
+    std::vector<std::string_view> wanted_;
+    std::vector<Published> published_;
 };
 
 }  // namespace rushlight

@@ -35,20 +35,19 @@ float texelsOnScreen(const CameraMatrices& camera, uint32_t targetHeight,
 }  // namespace
 
 void ShadowLights::begin(const FrameSettings& settings) {
-    ++frame_;
+    ++history_->frame;
     counts_ = {};
     const uint32_t size = std::bit_floor(settings.shadowAtlasSize);
     largestLevel_ = uint32_t(
         std::countr_zero(std::clamp(std::bit_floor(settings.shadowTileSize), kSmallestTile, size)));
     before_.clear();
-    if (settings.cut) slots_.swap(before_);
-    if (size == tiles_.size() && !settings.cut) return;
-    if (size != tiles_.size()) before_.clear();
-    slots_.reserve(kMaxSlots);  // faces are pointed at
-    slots_.clear();
+    if (settings.cut) history_->slots.swap(before_);
+    if (size == history_->tiles.size() && !settings.cut) return;
+    if (size != history_->tiles.size()) before_.clear();
+    history_->slots.clear();
     slotOfLight_.clear();
-    bias_ = 0;
-    tiles_.reset(size, kSmallestTile);
+    history_->bias = 0;
+    history_->tiles.reset(size, kSmallestTile);
 }
 
 // After a cut: what the square holds already, if it is this light's again.
@@ -86,15 +85,15 @@ void ShadowLights::addIfWanted(const Inputs& in, uint32_t light, float nearest,
 
 void ShadowLights::matchSlots(size_t lightCount) {
     slotOfLight_.assign(lightCount, kNoSlot);
-    for (uint32_t s = 0; s < slots_.size(); ++s)
-        if (slots_[s].identity && slots_[s].light < lightCount) {
-            uint32_t& of = slotOfLight_[slots_[s].light];
-            if (of == kNoSlot || slots_[s].lastSeen > slots_[of].lastSeen) of = s;
+    for (uint32_t s = 0; s < history_->slots.size(); ++s)
+        if (history_->slots[s].identity && history_->slots[s].light < lightCount) {
+            uint32_t& of = slotOfLight_[history_->slots[s].light];
+            if (of == kNoSlot || history_->slots[s].lastSeen > history_->slots[of].lastSeen) of = s;
         }
     const auto claim = [&](Wanted& w, uint32_t slot) {
         w.slot = slot;
-        slots_[slot].lastSeen = frame_;
-        slots_[slot].light = w.light;
+        history_->slots[slot].lastSeen = history_->frame;
+        history_->slots[slot].light = w.light;
     };
     for (Wanted& w : wanted_) {
         w.slot = kNoSlot;
@@ -104,32 +103,33 @@ void ShadowLights::matchSlots(size_t lightCount) {
         if (w.slot != kNoSlot) continue;
         // What was at its index and is nowhere now has moved: it keeps its squares.
         uint32_t slot = slotOfLight_[w.light];
-        if (slot == kNoSlot || slots_[slot].lastSeen == frame_ ||
-            slots_[slot].faceCount != w.source.faceCount)
+        if (slot == kNoSlot || history_->slots[slot].lastSeen == history_->frame ||
+            history_->slots[slot].faceCount != w.source.faceCount)
             slot = freeSlot();
         if (slot == kNoSlot) continue;
-        slots_[slot].identity = w.source.identity;
-        slots_[slot].faceCount = w.source.faceCount;
+        history_->slots[slot].identity = w.source.identity;
+        history_->slots[slot].faceCount = w.source.faceCount;
         claim(w, slot);
     }
 }
 
 uint32_t ShadowLights::findSlot(const Wanted& w) {
     const auto is = [&](uint32_t s) {
-        return slots_[s].identity == w.source.identity && slots_[s].lastSeen != frame_;
+        return history_->slots[s].identity == w.source.identity &&
+               history_->slots[s].lastSeen != history_->frame;
     };
     if (const uint32_t s = slotOfLight_[w.light]; s != kNoSlot && is(s)) return s;
-    for (uint32_t s = 0; s < slots_.size(); ++s)
+    for (uint32_t s = 0; s < history_->slots.size(); ++s)
         if (is(s)) return s;
     return kNoSlot;
 }
 
 uint32_t ShadowLights::freeSlot() {
-    for (uint32_t s = 0; s < slots_.size(); ++s)
-        if (!slots_[s].identity) return s;
-    if (slots_.size() < kMaxSlots) {
-        slots_.emplace_back();
-        return uint32_t(slots_.size() - 1);
+    for (uint32_t s = 0; s < history_->slots.size(); ++s)
+        if (!history_->slots[s].identity) return s;
+    if (history_->slots.size() < kMaxSlots) {
+        history_->slots.emplace_back();
+        return uint32_t(history_->slots.size() - 1);
     }
     if (!evictOldest()) return kNoSlot;
     return freeSlot();
@@ -138,8 +138,8 @@ uint32_t ShadowLights::freeSlot() {
 // Frees the slot of the light that has been out of view for longest.
 bool ShadowLights::evictOldest() {
     Slot* oldest = nullptr;
-    for (Slot& slot : slots_)
-        if (slot.identity && slot.lastSeen != frame_ &&
+    for (Slot& slot : history_->slots)
+        if (slot.identity && slot.lastSeen != history_->frame &&
             (!oldest || slot.lastSeen < oldest->lastSeen))
             oldest = &slot;
     if (!oldest) return false;
@@ -150,7 +150,7 @@ bool ShadowLights::evictOldest() {
 
 void ShadowLights::releaseTiles(Slot& slot) {
     if (slot.level)
-        for (uint32_t f = 0; f < slot.faceCount; ++f) tiles_.release(slot.faces[f].tile);
+        for (uint32_t f = 0; f < slot.faceCount; ++f) history_->tiles.release(slot.faces[f].tile);
     slot.level = 0;
     slot.faces = {};
 }
@@ -159,15 +159,15 @@ void ShadowLights::releaseTiles(Slot& slot) {
 void ShadowLights::updateWishes() {
     for (const Wanted& w : wanted_) {
         if (w.slot == kNoSlot) continue;
-        uint32_t& wish = slots_[w.slot].wish;
+        uint32_t& wish = history_->slots[w.slot].wish;
         if (wish == 0 || w.wish <= float(wish) - 1.6f)
             wish = uint32_t(std::lround(w.wish));
         else if (w.wish >= float(wish) + 1)
             wish = uint32_t(w.wish);
         wish = std::clamp(wish, kSmallestLevel, largestLevel_);
     }
-    for (Slot& slot : slots_)
-        if (slot.identity && slot.lastSeen + kRecentFrames < frame_) {
+    for (Slot& slot : history_->slots)
+        if (slot.identity && slot.lastSeen + kRecentFrames < history_->frame) {
             releaseTiles(slot);
             slot = {};
         }
@@ -183,7 +183,7 @@ uint32_t ShadowLights::levelOf(const Slot& slot, uint32_t bias) const {
 
 uint64_t ShadowLights::texelsAt(uint32_t bias) const {
     uint64_t sum = 0;
-    for (const Slot& slot : slots_)
+    for (const Slot& slot : history_->slots)
         if (slot.identity) sum += uint64_t(slot.faceCount) << 2 * levelOf(slot, bias);
     return sum;
 }
@@ -191,21 +191,23 @@ uint64_t ShadowLights::texelsAt(uint32_t bias) const {
 // The largest lose what it takes for those seen lately to fit, and get it back when there is ample
 // room.
 void ShadowLights::chooseBias() {
-    const uint64_t room = uint64_t(tiles_.size()) * tiles_.size();
-    const uint32_t before = bias_;
-    while (bias_ < 4 * (largestLevel_ - kSmallestLevel) && texelsAt(bias_) > room) ++bias_;
-    if (bias_ == before)
-        while (bias_ > 0 && texelsAt(std::max(bias_, 2u) - 2) <= room / 4 * 3) --bias_;
-    while (texelsAt(bias_) > room && evictOldest()) {
+    const uint64_t room = uint64_t(history_->tiles.size()) * history_->tiles.size();
+    const uint32_t before = history_->bias;
+    while (history_->bias < 4 * (largestLevel_ - kSmallestLevel) && texelsAt(history_->bias) > room)
+        ++history_->bias;
+    if (history_->bias == before)
+        while (history_->bias > 0 && texelsAt(std::max(history_->bias, 2u) - 2) <= room / 4 * 3)
+            --history_->bias;
+    while (texelsAt(history_->bias) > room && evictOldest()) {
     }
 }
 
 bool ShadowLights::placeTiles(Slot& slot) {
-    const uint32_t level = levelOf(slot, bias_);
+    const uint32_t level = levelOf(slot, history_->bias);
     for (uint32_t f = 0; f < slot.faceCount; ++f) {
-        const auto tile = tiles_.allocate(1u << level);
+        const auto tile = history_->tiles.allocate(1u << level);
         if (!tile) {
-            while (f-- > 0) tiles_.release(slot.faces[f].tile);
+            while (f-- > 0) history_->tiles.release(slot.faces[f].tile);
             slot.faces = {};
             return false;
         }
@@ -220,18 +222,18 @@ bool ShadowLights::placeTiles(Slot& slot) {
 // Even the smallest may be too many. Then the least important go without; who has squares has to be
 // clearly less important to lose them.
 void ShadowLights::dropTooMany() {
-    uint64_t room = uint64_t(tiles_.size()) * tiles_.size();
-    if (texelsAt(bias_) <= room) return;
+    uint64_t room = uint64_t(history_->tiles.size()) * history_->tiles.size();
+    if (texelsAt(history_->bias) <= room) return;
     const auto rank = [&](const Wanted& w) {
-        return w.slot != kNoSlot && slots_[w.slot].level ? w.priority * 1.5f : w.priority;
+        return w.slot != kNoSlot && history_->slots[w.slot].level ? w.priority * 1.5f : w.priority;
     };
     std::ranges::sort(wanted_, [&](const Wanted& a, const Wanted& b) {
         return rank(a) != rank(b) ? rank(a) > rank(b) : a.light < b.light;
     });
     for (Wanted& w : wanted_) {
         if (w.slot == kNoSlot) continue;
-        Slot& slot = slots_[w.slot];
-        const uint64_t needed = uint64_t(slot.faceCount) << 2 * levelOf(slot, bias_);
+        Slot& slot = history_->slots[w.slot];
+        const uint64_t needed = uint64_t(slot.faceCount) << 2 * levelOf(slot, history_->bias);
         if (needed <= room) {
             room -= needed;
             continue;
@@ -246,27 +248,28 @@ void ShadowLights::dropTooMany() {
 // those that are kept are too small, all are placed anew.
 void ShadowLights::placeTiles() {
     const auto level = [&](const Wanted& w) {
-        return w.slot == kNoSlot ? 0 : levelOf(slots_[w.slot], bias_);
+        return w.slot == kNoSlot ? 0 : levelOf(history_->slots[w.slot], history_->bias);
     };
     std::ranges::sort(wanted_, [&](const Wanted& a, const Wanted& b) {
         return level(a) != level(b) ? level(a) > level(b) : a.light < b.light;
     });
-    for (Slot& slot : slots_)
-        if (slot.level && slot.level != levelOf(slot, bias_)) releaseTiles(slot);
+    for (Slot& slot : history_->slots)
+        if (slot.level && slot.level != levelOf(slot, history_->bias)) releaseTiles(slot);
     const auto placeAll = [&] {
         bool all = true;
         for (const Wanted& w : wanted_)
-            if (w.slot != kNoSlot && !slots_[w.slot].level) all &= placeTiles(slots_[w.slot]);
+            if (w.slot != kNoSlot && !history_->slots[w.slot].level)
+                all &= placeTiles(history_->slots[w.slot]);
         return all;
     };
     if (placeAll()) return;
-    for (Slot& slot : slots_) releaseTiles(slot);
+    for (Slot& slot : history_->slots) releaseTiles(slot);
     placeAll();
 }
 
 void ShadowLights::fillFace(const Inputs& in, const Wanted& w, uint32_t index) {
     const ShadowSource& source = w.source;
-    ShadowFace& face = slots_[w.slot].faces[index];
+    ShadowFace& face = history_->slots[w.slot].faces[index];
     ShadowFaceDesc desc;
     desc.position = source.position;
     desc.nearPlane = source.nearPlane(index);
@@ -286,7 +289,7 @@ void ShadowLights::fillFace(const Inputs& in, const Wanted& w, uint32_t index) {
     face.viewKey = hashBytes(limits, sizeof limits,
                              hashBytes(&face.view.clipFromWorld, sizeof(mat4)));
     gpuFaces_.push_back(
-        makeGpuShadowFace(desc, face.tile.x, face.tile.y, tiles_.size(), source.radius));
+        makeGpuShadowFace(desc, face.tile.x, face.tile.y, history_->tiles.size(), source.radius));
     faces_.push_back(&face);
 }
 
@@ -298,11 +301,11 @@ void ShadowLights::fillFaces(const Inputs& in) {
     areaRecords_.assign(in.area.size(), -1);
     anyRecord_ = anyAreaRecord_ = false;
     for (const Wanted& w : wanted_) {
-        if (w.slot == kNoSlot || !slots_[w.slot].level) {
+        if (w.slot == kNoSlot || !history_->slots[w.slot].level) {
             ++counts_.without;
             continue;
         }
-        const Slot& slot = slots_[w.slot];
+        const Slot& slot = history_->slots[w.slot];
         ++counts_.lights;
         counts_.reduced += slot.level < slot.wish;
         const int32_t first = int32_t(in.firstFace + gpuFaces_.size());
@@ -317,7 +320,8 @@ void ShadowLights::fillFaces(const Inputs& in) {
     }
 }
 
-ShadowLights::Counts ShadowLights::select(const Inputs& inputs) {
+ShadowLights::Counts ShadowLights::select(const Inputs& inputs, ShadowAtlasHistory& history) {
+    history_ = &history;
     begin(*inputs.settings);
     faces_.clear();
     gpuFaces_.clear();
@@ -331,9 +335,8 @@ ShadowLights::Counts ShadowLights::select(const Inputs& inputs) {
     return counts_;
 }
 
-void ShadowLights::forget() {
-    before_.clear();
-    for (Slot& slot : slots_)
+void ShadowAtlasHistory::forgetContents() {
+    for (Slot& slot : slots)
         for (ShadowFace& face : slot.faces) face.drawn = face.drawnStill = face.drawnGlass = 0;
 }
 

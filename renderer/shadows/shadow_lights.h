@@ -34,6 +34,30 @@ struct ShadowFace {
     uint64_t drawnGlass = 0;                       ///< what the map of their colours holds there
 };
 
+/// The atlas as a view remembers it: who has which squares, and what they hold. A value.
+struct ShadowAtlasHistory {
+    /// A light that has, or lately had, squares of the atlas.
+    struct Slot {
+        uint64_t identity = 0;  ///< hash of where the light is and what it reaches; 0: it is free
+        uint32_t light = 0;     ///< index in the last frame that it was seen in; area lights after
+                                ///< the others
+        uint64_t lastSeen = 0;  ///< frame
+        uint32_t wish = 0;      ///< log2 of the texels a side that its size on screen asks for,
+                                ///< changed reluctantly
+        uint32_t level = 0;     ///< log2 of its tiles' size; 0: it has none
+        uint32_t faceCount = 0;
+        std::array<ShadowFace, 6> faces;
+    };
+    ShadowTiles tiles;
+    std::vector<Slot> slots;
+    uint32_t bias = 0;  ///< quarters of a level below the largest that tiles keep to, so that all
+                        ///< fit
+    uint64_t frame = 0;
+
+    /// What the maps hold is not known any more.
+    void forgetContents();
+};
+
 class ShadowLights {
 public:
     static constexpr uint32_t kSmallestTile = 64;
@@ -52,8 +76,9 @@ public:
         uint32_t without = 0;  ///< that should have one and found no room
     };
 
-    /// Chooses and places; then faces() are the views of this frame's lights.
-    Counts select(const Inputs& inputs);
+    /// Chooses and places; then faces() are the views of this frame's lights. They point into
+    /// `history`, which the frame goes on with.
+    Counts select(const Inputs& inputs, ShadowAtlasHistory& history);
     std::span<ShadowFace* const> faces() const { return faces_; }
     /// Of each punctual light: the record that shaders look up, or -1. Empty when no light has a
     /// shadow.
@@ -65,24 +90,10 @@ public:
         return anyAreaRecord_ ? std::span(areaRecords_) : std::span<const int32_t>();
     }
     std::span<const GpuShadowFace> gpuFaces() const { return gpuFaces_; }
-    uint32_t atlasSize() const { return tiles_.size(); }
-    /// What the maps hold is not good any more.
-    void forget();
+    uint32_t atlasSize() const { return history_ ? history_->tiles.size() : 0; }
 
 private:
-    /// A light that has, or lately had, squares of the atlas.
-    struct Slot {
-        uint64_t identity = 0;  ///< hash of where the light is and what it reaches; 0: the slot is
-                                ///< free
-        uint32_t light = 0;  ///< index in the last frame that it was seen in; area lights after the
-                             ///< others
-        uint64_t lastSeen = 0;  ///< frame
-        uint32_t wish = 0;  ///< log2 of the texels a side that its size on screen asks for, changed
-                            ///< reluctantly
-        uint32_t level = 0;  ///< log2 of its tiles' size; 0: it has none
-        uint32_t faceCount = 0;
-        std::array<ShadowFace, 6> faces;
-    };
+    using Slot = ShadowAtlasHistory::Slot;
     /// A light of this frame that should have a shadow.
     struct Wanted {
         uint32_t light;
@@ -110,8 +121,7 @@ private:
     void fillFaces(const Inputs&);
     void fillFace(const Inputs&, const Wanted&, uint32_t index);
 
-    ShadowTiles tiles_;
-    std::vector<Slot> slots_;
+    ShadowAtlasHistory* history_ = nullptr;
     std::vector<Slot> before_;  ///< a cut: of the frame before it
     std::vector<uint32_t> slotOfLight_;
     std::vector<Wanted> wanted_;
@@ -120,9 +130,6 @@ private:
     std::vector<GpuShadowFace> gpuFaces_;
     bool anyRecord_ = false, anyAreaRecord_ = false;
     uint32_t largestLevel_ = 0;
-    uint32_t bias_ = 0;  ///< quarters of a level below largestLevel_ that tiles keep to, so that
-                         ///< all fit
-    uint64_t frame_ = 0;
     Counts counts_;
 };
 

@@ -66,6 +66,16 @@ uint64_t shadowKey(uint32_t flags, uint32_t textureSet, uint32_t mesh, uint32_t 
 //     [ ~depth    ][zero]
 uint64_t blendKey(float depth) { return uint64_t(~depthBits(depth)) << 32; }
 
+uint32_t FrameWorlds::motionFlag(uint32_t object) const {
+    if (object >> 31 || !motion) return record(object).surfaceFlags & kMoving;
+    return motion->moved(object) ? uint32_t(kMoving) : 0;
+}
+
+const mat4x3& FrameWorlds::previousTransform(uint32_t object) const {
+    if (object >> 31 || !motion) return world(object).previousTransform(record(object));
+    return motion->previous(object);
+}
+
 Aabb FrameWorlds::bounds() const {
     Aabb all;
     for (const InstanceWorld* world : worlds)
@@ -169,7 +179,6 @@ void DrawList::fill(CommandBuffer& buffer, const FrameWorlds& worlds, uint32_t b
     for (uint32_t i = begin; i < end; ++i) {
         worlds.prefetch(items, i);
         const VisibleItem& item = items[i];
-        const InstanceWorld& world = worlds.world(item.object);
         const InstanceRecord& r = worlds.record(item.object);
         MovingInstanceData data;
         writeRows(r.worldFromLocal, data.now.row0, data.now.row1, data.now.row2);
@@ -177,7 +186,7 @@ void DrawList::fill(CommandBuffer& buffer, const FrameWorlds& worlds, uint32_t b
         data.now.id = r.id;
         data.now.reserved0 = data.now.reserved1 = 0;
         if (item.flags & kMoving) {
-            writeRows(world.previousTransform(r), data.previousRow0, data.previousRow1,
+            writeRows(worlds.previousTransform(item.object), data.previousRow0, data.previousRow1,
                       data.previousRow2);
             std::memcpy(moving + positions_[i] * sizeof data, &data, sizeof data);
         } else {

@@ -5,7 +5,7 @@
 #include "renderer/resources/geometry_store.h"
 #include "renderer/resources/material_store.h"
 #include "renderer/rhi/commands/command_buffer.h"
-#include "renderer/visibility/instance_world.h"
+#include "renderer/visibility/view_motion.h"
 
 #include <span>
 #include <vector>
@@ -27,12 +27,17 @@ static_assert(sizeof(VisibleItem) == 16);
 ///            [ world ][    slot      ]
 struct FrameWorlds {
     std::array<InstanceWorld*, 2> worlds{};
+    const ViewMotion* motion = nullptr;  ///< of the host's world, as the view saw it; null: still
 
     static uint32_t object(uint32_t world, uint32_t slot) { return world << 31 | slot; }
     InstanceWorld& world(uint32_t object) const { return *worlds[object >> 31]; }
     InstanceRecord& record(uint32_t object) const {
         return world(object).record(object & 0x7fffffff);
     }
+    /// kMoving where the view saw the object elsewhere.
+    uint32_t motionFlag(uint32_t object) const;
+    /// Where the view saw what has that flag.
+    const mat4x3& previousTransform(uint32_t object) const;
     /// Of an item that comes soon; nothing beyond the end.
     void prefetch(std::span<const VisibleItem> items, size_t index) const {
         constexpr size_t kAhead = 12;

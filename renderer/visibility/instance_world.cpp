@@ -61,7 +61,6 @@ void InstanceWorld::resize(uint32_t slots) {
     materials_.resize(slots);
     places_.resize(slots, kNowhere);
     changing_.resize(slots, 0);
-    motion_.resize(slots, Motion::none);
     alive_.resize(slots, 0);
 }
 
@@ -114,10 +113,10 @@ uint32_t InstanceWorld::add(const Instance& instance) {
     } else {
         slot = free_.back();
         free_.pop_back();
+        noteMove({slot, true, mat4x3(1.0f)});
     }
     ++count_;
     alive_[slot] = 1;
-    motion_[slot] = Motion::none;  // what was there before may have moved in this frame
     copyFields(records_[slot], instance);
     records_[slot].instanceFlags &= ~uint32_t(kInstanceMoving);
     meshes_[slot] = instance.mesh.index();
@@ -128,22 +127,33 @@ uint32_t InstanceWorld::add(const Instance& instance) {
 
 void InstanceWorld::set(uint32_t slot, const Instance& instance) {
     InstanceRecord& record = records_[slot];
-    const bool moves = !sameTransform(record.worldFromLocal, instance.worldFromLocal);
-    const bool moving = moves || motion_[slot] == Motion::now;
-    uint32_t previous = record.previousTransform;
-    if (moves && motion_[slot] != Motion::now) {
-        previous = uint32_t(collected_.size());
-        collected_.push_back(record.worldFromLocal);
-        motion_[slot] = Motion::now;
-        movedNow_.push_back(slot);
-    }
+    if (!sameTransform(record.worldFromLocal, instance.worldFromLocal))
+        noteMove({slot, false, record.worldFromLocal});
     copyFields(record, instance);
-    record.previousTransform = previous;
     record.instanceFlags &= ~uint32_t(kInstanceMoving);
-    if (moving) record.instanceFlags |= kInstanceMoving;
     meshes_[slot] = instance.mesh.index();
     materials_[slot] = instance.material.index();
     mark(slot);
+}
+
+// A view that is not rendered any more may not make the list grow without end: one that misses so
+// many moves finds everything standing.
+void InstanceWorld::noteMove(const InstanceMove& move) {
+    const size_t most = 4096 + 4 * records_.size();
+    if (moves_.size() >= most) forgetMoves(forgottenMoves_ + moves_.size() / 2);
+    moves_.push_back(move);
+}
+
+std::span<const InstanceMove> InstanceWorld::movesSince(uint64_t count) const {
+    if (count < forgottenMoves_ || count > moveCount()) return {};
+    return std::span(moves_).subspan(size_t(count - forgottenMoves_));
+}
+
+void InstanceWorld::forgetMoves(uint64_t before) {
+    const uint64_t end = std::min(before, moveCount());
+    if (end <= forgottenMoves_) return;
+    moves_.erase(moves_.begin(), moves_.begin() + std::ptrdiff_t(end - forgottenMoves_));
+    forgottenMoves_ = end;
 }
 
 void InstanceWorld::remove(uint32_t slot) {
@@ -167,21 +177,6 @@ void InstanceWorld::noteChanges(std::span<const MeshHandle> meshes,
     }
 }
 
-// What set() moved in the last frame and not since stands still now.
-void InstanceWorld::settleMotion() {
-    for (uint32_t slot : movedBefore_)
-        if (motion_[slot] == Motion::before) {
-            motion_[slot] = Motion::none;
-            records_[slot].instanceFlags &= ~uint32_t(kInstanceMoving);
-            if (alive_[slot]) mark(slot);
-        }
-    movedBefore_.swap(movedNow_);
-    movedNow_.clear();
-    for (uint32_t slot : movedBefore_) motion_[slot] = Motion::before;
-    ownPrevious_.swap(collected_);
-    collected_.clear();
-}
-
 // Answers whether the box is another than before.
 bool InstanceWorld::resolve(InstanceRecord& record, const GeometryStore& geometry,
                             const MaterialStore& materials) const {
@@ -201,7 +196,6 @@ bool InstanceWorld::resolve(InstanceRecord& record, const GeometryStore& geometr
     record.scale = largestScale(record.worldFromLocal);
     record.materialTexel = material->texel;
     record.textureSet = uint16_t(material->textureSet);
-    record.cameraLod = 0;
     uint32_t flags = material->surfaceFlags;
     if (mesh->extended)
         flags |= kExtended;
@@ -216,10 +210,9 @@ bool InstanceWorld::resolve(InstanceRecord& record, const GeometryStore& geometr
 
 void InstanceWorld::prepare(const GeometryStore& geometry, const MaterialStore& materials,
                             std::span<const mat4x3> givenPrevious, JobSystem& jobs) {
-    settleMotion();
-    previous_ = givenPrevious.empty() ? std::span<const mat4x3>(ownPrevious_) : givenPrevious;
-    if (previous_.size() != lastPreviousCount_)  // an index that was good may be none now, and the
-                                                 // reverse
+    previous_ = givenPrevious;
+    // An index that was good may be none now, and the reverse.
+    if (previous_.size() != lastPreviousCount_)
         for (uint32_t slot = 0; slot < records_.size(); ++slot)
             if (alive_[slot] && records_[slot].instanceFlags & kInstanceMoving) mark(slot);
     lastPreviousCount_ = previous_.size();
@@ -309,9 +302,8 @@ Aabb InstanceWorld::bounds() const {
 uint64_t InstanceWorld::bytes() const {
     const auto held = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
     return held(records_) + held(meshes_) + held(materials_) + held(places_) + held(changing_) +
-           held(motion_) + held(alive_) + held(free_) + held(changes_) + held(movedNow_) +
-           held(movedBefore_) + held(fresh_) + held(movers_) + held(collected_) +
-           held(ownPrevious_) + held(objects_) + indices_[0].bytes() + indices_[1].bytes();
+           held(alive_) + held(free_) + held(changes_) + held(fresh_) + held(movers_) +
+           held(moves_) + held(objects_) + indices_[0].bytes() + indices_[1].bytes();
 }
 
 }  // namespace rushlight

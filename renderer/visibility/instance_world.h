@@ -29,23 +29,37 @@ struct alignas(64) InstanceRecord {
     uint32_t stamp = 0;         ///< another one whenever what is drawn changed
     uint32_t surfaceFlags = 0;  ///< of surface_variant.h
     uint16_t textureSet = 0;
-    bool valid = false;     ///< false: left out, see FrameReport::rejected
-    uint8_t cameraLod = 0;  ///< the level last shown to the camera
+    bool valid = false;  ///< false: left out, see FrameReport::rejected
 
     vec3 center() const { return box.center(); }
 };
 static_assert(sizeof(InstanceRecord) == 128);
+
+/// A move by InstanceWorld::set(), for views that did not see it yet.
+struct InstanceMove {
+    uint32_t slot = 0;
+    bool arrived = false;  ///< the slot has another instance since, which came from nowhere
+    mat4x3 from{1.0f};
+};
 
 class InstanceWorld {
 public:
     /// Makes the world hold these and nothing else; equal ones cost a comparison.
     void assign(std::span<const Instance> instances, JobSystem& jobs);
 
-    // By slot, for worlds that the host keeps. What moves gets its previous transform by itself:
+    // By slot, for worlds that the host keeps. Moves are noted for the views (ViewMotion):
     // kInstanceMoving and Instance::previousTransform are not looked at.
     uint32_t add(const Instance& instance);
     void set(uint32_t slot, const Instance& instance);
     void remove(uint32_t slot);
+    uint32_t slotCount() const { return uint32_t(records_.size()); }
+
+    /// Moves since the world was made.
+    uint64_t moveCount() const { return forgottenMoves_ + moves_.size(); }
+    /// The moves after the first `count`, in order; none where those are not kept any more.
+    std::span<const InstanceMove> movesSince(uint64_t count) const;
+    /// No view asks for those before this number any more.
+    void forgetMoves(uint64_t before);
 
     /// Instances of these have to be resolved again.
     void noteChanges(std::span<const MeshHandle> meshes, std::span<const MaterialHandle> materials);
@@ -64,6 +78,7 @@ public:
         __builtin_prefetch(&records_[slot]);
         __builtin_prefetch(reinterpret_cast<const char*>(&records_[slot]) + 64);
     }
+    /// Of what assign() set with kInstanceMoving.
     const mat4x3& previousTransform(const InstanceRecord& record) const {
         return previous_[record.previousTransform];
     }
@@ -91,7 +106,6 @@ private:
     static constexpr uint32_t kNowhere = ~0u;
     static constexpr uint32_t kArriving = ~0u - 1;  ///< into the index that is being built
     static constexpr uint32_t kMovingBit = 1u << 31;
-    enum class Motion : uint8_t { none, before, now };
 
     struct Change {
         uint32_t slot;
@@ -100,7 +114,7 @@ private:
     void resize(uint32_t slots);
     void mark(uint32_t slot);
     void copyFields(InstanceRecord& record, const Instance& instance);
-    void settleMotion();
+    void noteMove(const InstanceMove& move);
     bool resolve(InstanceRecord& record, const GeometryStore&, const MaterialStore&) const;
     void place();
     void rebuild(Index index);
@@ -109,14 +123,13 @@ private:
     std::vector<uint32_t> meshes_, materials_;  ///< handle indices by slot, to be searched quickly
     std::vector<uint32_t> places_;   ///< by slot: position in an index, kMovingBit: which
     std::vector<uint8_t> changing_;  ///< by slot: is in changes_
-    std::vector<Motion> motion_;     ///< by slot
     std::vector<uint8_t> alive_;     ///< by slot
     std::vector<uint32_t> free_;
     std::vector<Change> changes_;
-    std::vector<uint32_t> movedNow_, movedBefore_, fresh_, movers_;
-    std::vector<mat4x3> collected_;     ///< previous transforms of what set() moved
-    std::vector<mat4x3> ownPrevious_;   ///< those of this frame
-    std::span<const mat4x3> previous_;  ///< given or own
+    std::vector<uint32_t> fresh_, movers_;
+    std::vector<InstanceMove> moves_;
+    uint64_t forgottenMoves_ = 0;
+    std::span<const mat4x3> previous_;  ///< of what assign() set, until prepare() is called again
     std::vector<SpatialIndex::Object> objects_;
     std::array<SpatialIndex, 2> indices_;
     std::array<uint64_t, 2> versions_{};

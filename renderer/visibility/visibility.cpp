@@ -60,7 +60,7 @@ void Visibility::findBlocks(const Inputs& in) {
     }
 }
 
-void Visibility::addToCamera(const Inputs& in, uint32_t object, InstanceRecord& r,
+void Visibility::addToCamera(const Inputs& in, uint32_t object, const InstanceRecord& r,
                              Chunk& chunk) const {
     const vec3 center = r.center();
     const float pixels = cameraScale_.at(center, r.radius);
@@ -70,16 +70,19 @@ void Visibility::addToCamera(const Inputs& in, uint32_t object, InstanceRecord& 
     }
     const GpuMesh& mesh = *in.geometry->find(r.mesh);
     const float error = cameraScale_.maxError / (pixels * r.scale);
-    r.cameraLod = uint8_t(in.settings->cut ? pickLod(mesh, error)
-                                           : pickLodSteadily(mesh, error, r.cameraLod));
+    const uint32_t last = in.lods->last(object, r.stamp);
+    const uint32_t lod = in.settings->cut ? pickLod(mesh, error)
+                                          : pickLodSteadily(mesh, error, last);
+    if (lod != last) chunk.lods.push_back({object, r.stamp, lod});
     const float depth = glm::dot(center - in.camera->position, in.camera->forward);
     const bool blended = r.surfaceFlags & kBlend;
     VisibleItem item;
     item.object = object;
-    item.flags = r.surfaceFlags & kSurfaceFlags;
-    item.lod = r.cameraLod;
+    const uint32_t flags = r.surfaceFlags | in.worlds.motionFlag(object);
+    item.flags = flags & kSurfaceFlags;
+    item.lod = lod;
     item.key = blended ? blendKey(depth)
-                       : opaqueKey(r.surfaceFlags, r.textureSet, r.mesh.index(), item.lod, depth);
+                       : opaqueKey(flags, r.textureSet, r.mesh.index(), lod, depth);
     chunk.items[blended ? kBlended : kOpaque].push_back(item);
 }
 
@@ -142,6 +145,7 @@ Visibility::Counts Visibility::gather(const Inputs& in, JobSystem& jobs, Lists& 
     jobs.forRanges(blockCount, kBlocksPerChunk, [&](uint32_t begin, uint32_t end) {
         Chunk& chunk = chunks_[begin / kBlocksPerChunk];
         for (auto& items : chunk.items) items.clear();
+        chunk.lods.clear();
         chunk.culledSmall = 0;
         for (uint32_t b = begin; b < end; ++b) testBlock(in, blocks_[b], chunk);
     });
@@ -176,7 +180,10 @@ Visibility::Counts Visibility::gather(const Inputs& in, JobSystem& jobs, Lists& 
         }
     });
     counts.visible = uint32_t(lists.opaque.items.size() + lists.blended.items.size());
-    for (uint32_t i = 0; i < chunkCount_; ++i) counts.culledSmall += chunks_[i].culledSmall;
+    for (uint32_t i = 0; i < chunkCount_; ++i) {
+        counts.culledSmall += chunks_[i].culledSmall;
+        in.lods->stage(chunks_[i].lods);
+    }
     return counts;
 }
 

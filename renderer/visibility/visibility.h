@@ -3,6 +3,7 @@
 // hierarchies for all views, then the objects of the blocks that were found, on all threads.
 
 #include "renderer/visibility/detail.h"
+#include "renderer/visibility/lod_memory.h"
 #include "renderer/visibility/occlusion_culling.h"
 #include "renderer/visibility/shadow_cascades.h"
 
@@ -11,13 +12,13 @@ namespace rushlight {
 class Visibility {
 public:
     struct Inputs {
-        FrameWorlds worlds;  ///< prepared; the level last shown to the camera is noted in their
-                             ///< records
+        FrameWorlds worlds;  ///< prepared
         const GeometryStore* geometry = nullptr;
         const CameraMatrices* camera = nullptr;
         uint32_t targetWidth = 0, targetHeight = 0;  ///< pixels
         const FrameSettings* settings = nullptr;
         const ShadowCascades* cascades = nullptr;
+        LodMemory* lods = nullptr;  ///< the camera's; what it is shown now is staged
     };
     /// Lists of the camera and the cascades, sorted.
     struct Lists {
@@ -49,6 +50,7 @@ private:
     /// What a run of blocks gives; each is filled by one thread.
     struct Chunk {
         std::array<std::vector<VisibleItem>, kListCount> items;
+        std::vector<LodMemory::Change> lods;
         uint32_t culledSmall = 0;
     };
     struct BlockVisit {
@@ -59,7 +61,7 @@ private:
     void makeVolumes(const Inputs&);
     void findBlocks(const Inputs&);
     void testBlock(const Inputs&, const BlockVisit&, Chunk&) const;
-    void addToCamera(const Inputs&, uint32_t object, InstanceRecord&, Chunk&) const;
+    void addToCamera(const Inputs&, uint32_t object, const InstanceRecord&, Chunk&) const;
     void addToCascade(const Inputs&, uint32_t cascade, uint32_t object, const InstanceRecord&,
                       Chunk&) const;
     void collect(uint32_t list, std::vector<VisibleItem>& items) const;

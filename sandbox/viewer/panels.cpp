@@ -135,10 +135,10 @@ void drawStatistics(const StatisticsView& view) {
 
 void drawPassViews(FrameSettings& settings) {
     if (beginPanel("pass views", -kMargin, kMargin)) {
-        for (int i = 0; i < int(ShownImage::count); ++i) {
-            const auto image = ShownImage(i);
-            if (ImGui::Selectable(toText(image), settings.show == image, 0, ImVec2(150, 0)))
-                settings.show = image;
+        for (int i = 0; i < int(DebugView::count); ++i) {
+            const auto image = DebugView(i);
+            if (ImGui::Selectable(toText(image), settings.debugView == image, 0, ImVec2(150, 0)))
+                settings.debugView = image;
         }
     }
     ImGui::End();

@@ -59,7 +59,6 @@ Result<bool> ViewerApp::drawNextFrame() {
     if (auto advanced = advance(); !advanced) return tl::unexpected(advanced.error());
     const FrameInput frame = describeFrame();
     if (auto rendered = render(frame); !rendered) return tl::unexpected(rendered.error());
-    previousView_ = frame.view.viewFromWorld;
     if (frame_ == 0) say("first frame drawn");
     meter_.add(secondsNow() - now);
     return true;
@@ -109,8 +108,8 @@ void ViewerApp::handleMouse() {
 }
 
 void ViewerApp::handleViewKeys() {
-    constexpr int kViews = int(ShownImage::count);
-    int view = int(settings_.frame.show);
+    constexpr int kViews = int(DebugView::count);
+    int view = int(settings_.frame.debugView);
     if (input_->wasPressed(Key::digit0) || input_->wasPressed(Key::backspace)) view = 0;
     const int shifted = input_->isDown(Key::shift) ? 9 : 0;
     for (int n = 1; n <= 9; ++n)
@@ -119,7 +118,7 @@ void ViewerApp::handleViewKeys() {
         if (input_->wasPressed(keyOffset(Key::f1, n - 1))) view = n;
     if (input_->wasPressed(Key::pageDown)) view = (view + 1) % kViews;
     if (input_->wasPressed(Key::pageUp)) view = (view + kViews - 1) % kViews;
-    if (view < kViews) settings_.frame.show = ShownImage(view);
+    if (view < kViews) settings_.frame.debugView = DebugView(view);
 }
 
 const TriangleGrid& ViewerApp::ground() {
@@ -192,7 +191,6 @@ FrameInput ViewerApp::describeFrame() {
 FrameInput ViewerApp::describeScene() const {
     FrameInput frame;
     frame.view.viewFromWorld = camera_.pose().viewFromWorld();
-    frame.view.previousViewFromWorld = previousView_.value_or(frame.view.viewFromWorld);
     frame.view.perspective = lens_.perspective;
     frame.view.verticalFov = lens_.verticalFov;
     frame.view.orthoHalfHeight = lens_.orthoHalfHeight;
@@ -216,8 +214,8 @@ Overlay ViewerApp::drawOverlay() {
     const bool mouse = panelsOpen_ && !isScripted() && !windowInput_->isMouseCaptured();
     ui_->begin(*input_, windowInput_->pixelsPerUnit(), mouse, size_, float(clock_.delta()));
     if (game_) game_->drawHud(*ui_);
-    if (settings_.frame.show != ShownImage::frame)
-        ui_->text(OverlayUi::Anchor::topCenter, vec2(0, 8), toText(settings_.frame.show),
+    if (settings_.frame.debugView != DebugView::none)
+        ui_->text(OverlayUi::Anchor::topCenter, vec2(0, 8), toText(settings_.frame.debugView),
                   vec4(1, 1, 0.6f, 1), true);
     if (panelsOpen_) {
         drawStatistics({renderer_->report(), meter_, renderer_->deviceName(), size_, allocations_,

@@ -80,7 +80,6 @@ private:
     FrameRateMeter meter_;
     CameraRig camera_;
     LevelCamera lens_;  ///< field of view and planes
-    std::optional<mat4> previousView_;
     ViewerSettings settings_;
     Lighting lighting_;
 

@@ -41,7 +41,7 @@ TEST_F(Budgets, AreKept) {
 
 // Each of these costs one thing more, and none may go unnoticed.
 TEST_F(Budgets, NoticeAPlantedPass) {
-    const auto plant = [](FrameInput& input) { input.settings.show = ShownImage::bounds; };
+    const auto plant = [](FrameInput& input) { input.settings.debugView = DebugView::bounds; };
     EXPECT_NE(joined(compare(budgetScenes()[0], plant)).find("bounds"), std::string::npos);
 }
 

@@ -7,9 +7,9 @@ namespace {
 
 constexpr const char* kContent = RUSHLIGHT_SOURCE "/content/";
 
-Golden passOfTestCard(const char* name, ShownImage show) {
+Golden passOfTestCard(const char* name, DebugView show) {
     Golden golden{name, "testcard/testcard.gltf", "", {}};
-    golden.view.settings.show = show;
+    golden.view.settings.debugView = show;
     return golden;
 }
 
@@ -28,10 +28,10 @@ std::vector<Golden> makeGoldens() {
     return {frame("testcard", "testcard/testcard.gltf", "", "card"),
             frame("testcard_dusk", "testcard/testcard.gltf", dusk, "card"),
             frame("square", "square/square.gltf", dusk, "square"),
-            passOfTestCard("testcard_basecolor", ShownImage::baseColor),
-            passOfTestCard("testcard_normal", ShownImage::normal),
-            passOfTestCard("testcard_depth", ShownImage::depth),
-            passOfTestCard("testcard_shadow", ShownImage::shadow)};
+            passOfTestCard("testcard_basecolor", DebugView::baseColor),
+            passOfTestCard("testcard_normal", DebugView::normal),
+            passOfTestCard("testcard_depth", DebugView::depth),
+            passOfTestCard("testcard_shadow", DebugView::shadow)};
 }
 
 }  // namespace

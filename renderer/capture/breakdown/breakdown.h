@@ -63,7 +63,7 @@ const char* breakdownSectionOf(std::string_view pass);
 /// Draws the frame several times: to warm up, once to be measured and read back pass by pass, and
 /// once for every view into it. Shadows are drawn, not kept from before. Motion is that of
 /// `previousTransforms`: what a world moved by itself is at rest. GPU times are those of the same
-/// frame drawn just before. `input`'s ShownImage is not used.
+/// frame drawn just before. `input`'s DebugView is not used.
 Result<Breakdown> takeBreakdown(Renderer& renderer, const FrameInput& input,
                                 const BreakdownOptions& options);
 

@@ -13,7 +13,7 @@ constexpr uint32_t kWarmFrames = 2;
 constexpr uint32_t kLargestPicture = 2048;
 
 struct ViewOfFrame {
-    ShownImage show;
+    DebugView show;
     const char* section;
     const char* title;
     Readout readout;
@@ -23,34 +23,34 @@ struct ViewOfFrame {
 
 // Drawn as they are shown.
 constexpr ViewOfFrame kViews[] = {
-    {ShownImage::baseColor, "gbuffer", "Base colour", Readout::color, "sRGB."},
-    {ShownImage::metallic, "gbuffer", "Metallic", Readout::unit, ""},
-    {ShownImage::roughness, "gbuffer", "Roughness", Readout::unit, "Perceptual; white is rough."},
-    {ShownImage::normal, "gbuffer", "Normals", Readout::direction,
+    {DebugView::baseColor, "gbuffer", "Base colour", Readout::color, "sRGB."},
+    {DebugView::metallic, "gbuffer", "Metallic", Readout::unit, ""},
+    {DebugView::roughness, "gbuffer", "Roughness", Readout::unit, "Perceptual; white is rough."},
+    {DebugView::normal, "gbuffer", "Normals", Readout::direction,
      "World axes: x red, y green, z blue."},
-    {ShownImage::emissive, "gbuffer", "Emission", Readout::color, "Tone mapped, before exposure."},
-    {ShownImage::occlusion, "gbuffer", "Occlusion of materials", Readout::unit, ""},
-    {ShownImage::velocity, "gbuffer", "Velocity", Readout::velocity,
+    {DebugView::emissive, "gbuffer", "Emission", Readout::color, "Tone mapped, before exposure."},
+    {DebugView::occlusion, "gbuffer", "Occlusion of materials", Readout::unit, ""},
+    {DebugView::velocity, "gbuffer", "Velocity", Readout::velocity,
      "Grey is rest; red to the right, green up."},
-    {ShownImage::overdraw, "gbuffer", "Overdraw", Readout::count,
+    {DebugView::overdraw, "gbuffer", "Overdraw", Readout::count,
      "How often the G-buffer was written at a pixel.", 8},
-    {ShownImage::clusters, "lighting", "Light clusters", Readout::count,
+    {DebugView::clusters, "lighting", "Light clusters", Readout::count,
      "Lights in the list of each pixel's froxel.", 32},
-    {ShownImage::ambientOcclusion, "lighting", "Ambient occlusion of the screen", Readout::unit,
+    {DebugView::ambientOcclusion, "lighting", "Ambient occlusion of the screen", Readout::unit,
      "White where light from around is open."},
 };
 
 // Drawn as radiance, and shown with the frame's own exposure.
 constexpr ViewOfFrame kParts[] = {
-    {ShownImage::direct, "lighting", "Direct light", Readout::color,
+    {DebugView::direct, "lighting", "Direct light", Readout::color,
      "Suns and lamps, with their shadows."},
-    {ShownImage::ambient, "lighting", "Ambient light, unhidden", Readout::color,
+    {DebugView::ambient, "lighting", "Ambient light, unhidden", Readout::color,
      "From around, if nothing hid it."},
-    {ShownImage::ambientShare, "lighting", "Share of ambient light", Readout::color,
+    {DebugView::ambientShare, "lighting", "Share of ambient light", Readout::color,
      "What occlusion leaves of it, by channel: white is all."},
-    {ShownImage::emission, "lighting", "Emission and background", Readout::color,
+    {DebugView::emission, "lighting", "Emission and background", Readout::color,
      "What glows by itself, unlit surfaces, and what is behind the scene."},
-    {ShownImage::untextured, "textures", "Light on white", Readout::color,
+    {DebugView::untextured, "textures", "Light on white", Readout::color,
      "All lighting, as if every surface were white and not metallic."},
 };
 
@@ -58,7 +58,7 @@ class Taker {
 public:
     Taker(Renderer& renderer, const FrameInput& input, const BreakdownOptions& options)
         : renderer_(renderer), input_(input), options_(options) {
-        input_.settings.show = ShownImage::frame;
+        input_.settings.debugView = DebugView::none;
     }
 
     Result<Breakdown> take() {
@@ -178,15 +178,15 @@ private:
         CapturedImage image;
         FrameInput input = input_;
         for (const ViewOfFrame& view : kViews) {
-            input.settings.show = view.show;
+            input.settings.debugView = view.show;
             if (auto ok = draw(input, CaptureKind::display, {.timers = false}, image); !ok)
                 return ok;
             add(named(view), image);
         }
         for (const ViewOfFrame& part : kParts) {
-            input.settings.show = part.show;
+            input.settings.debugView = part.show;
             if (auto ok = draw(input, CaptureKind::hdr, {.timers = false}, image); !ok) return ok;
-            image.rgba8 = part.show == ShownImage::ambientShare
+            image.rgba8 = part.show == DebugView::ambientShare
                               ? factorPicture(image.rgba32f)
                               : displayedRadiance(image.rgba32f, rules_);
             add(named(part), image);
@@ -196,7 +196,7 @@ private:
 
     Result<void> culling() {
         FrameInput input = input_;
-        input.settings.show = ShownImage::bounds;
+        input.settings.debugView = DebugView::bounds;
         CapturedImage visible, unhidden, all;
         if (auto ok = draw(input, CaptureKind::display, {.timers = false}, visible); !ok) return ok;
         input.settings.occlusionCulling = false;

@@ -5,20 +5,20 @@
 namespace rushlight {
 namespace {
 
-std::string_view defineOf(ShownImage show) {
-    switch (show) {
-        case ShownImage::baseColor: return "SHOW_BASE_COLOR";
-        case ShownImage::metallic: return "SHOW_METALLIC";
-        case ShownImage::roughness: return "SHOW_ROUGHNESS";
-        case ShownImage::normal: return "SHOW_NORMAL";
-        case ShownImage::emissive: return "SHOW_EMISSIVE";
-        case ShownImage::occlusion: return "SHOW_OCCLUSION";
-        case ShownImage::velocity: return "SHOW_VELOCITY";
-        case ShownImage::depth: return "SHOW_DEPTH";
-        case ShownImage::overdraw: return "SHOW_OVERDRAW";
-        case ShownImage::shadow: return "SHOW_SHADOW";
-        case ShownImage::clusters: return "SHOW_CLUSTERS";
-        case ShownImage::ambientOcclusion: return "SHOW_AMBIENT_OCCLUSION";
+std::string_view defineOf(DebugView view) {
+    switch (view) {
+        case DebugView::baseColor: return "SHOW_BASE_COLOR";
+        case DebugView::metallic: return "SHOW_METALLIC";
+        case DebugView::roughness: return "SHOW_ROUGHNESS";
+        case DebugView::normal: return "SHOW_NORMAL";
+        case DebugView::emissive: return "SHOW_EMISSIVE";
+        case DebugView::occlusion: return "SHOW_OCCLUSION";
+        case DebugView::velocity: return "SHOW_VELOCITY";
+        case DebugView::depth: return "SHOW_DEPTH";
+        case DebugView::overdraw: return "SHOW_OVERDRAW";
+        case DebugView::shadow: return "SHOW_SHADOW";
+        case DebugView::clusters: return "SHOW_CLUSTERS";
+        case DebugView::ambientOcclusion: return "SHOW_AMBIENT_OCCLUSION";
         default: return {};
     }
 }
@@ -27,12 +27,12 @@ interop::PassUniforms uniformsOf(const DebugViewPass::Inputs& in) {
     const float width = float(in.target.width), height = float(in.target.height);
     interop::PassUniforms u{};
     u.sourceTexel = vec4(1 / width, 1 / height, in.depthDecode);
-    if (in.show == ShownImage::shadow) {
+    if (in.view == DebugView::shadow) {
         const uint32_t cells = in.shadowCascades + (in.shadowAtlas ? 1 : 0);
         u.counts.x = float(cells);
         u.counts.y = float(in.shadowCascades);
         u.settings.x = width / float(cells) / height;
-    } else if (in.show == ShownImage::clusters) {
+    } else if (in.view == DebugView::clusters) {
         u.settings = in.clusterMapping;
         u.counts = in.clusterCounts;
     } else {
@@ -48,19 +48,19 @@ DebugViewPass::DebugViewPass(Device& device)
     : pipelines_(device, "debug-view", "passes/debug/debug_view.frag"),
       nearest_(nearestClampSampler(device)) {}
 
-bool DebugViewPass::shows(ShownImage show) { return !defineOf(show).empty(); }
+bool DebugViewPass::shows(DebugView view) { return !defineOf(view).empty(); }
 
 Result<void> DebugViewPass::add(FramePlan& plan, const Inputs& inputs) {
-    const bool shadow = inputs.show == ShownImage::shadow;
-    const bool clusters = inputs.show == ShownImage::clusters;
-    const bool ambient = inputs.show == ShownImage::ambientOcclusion;
-    const bool overdraw = inputs.show == ShownImage::overdraw;
+    const bool shadow = inputs.view == DebugView::shadow;
+    const bool clusters = inputs.view == DebugView::clusters;
+    const bool ambient = inputs.view == DebugView::ambientOcclusion;
+    const bool overdraw = inputs.view == DebugView::overdraw;
     const bool nothing = (shadow && !inputs.shadowMap && !inputs.shadowAtlas) ||
                          (clusters && !inputs.clusters.size) ||
                          (ambient && !inputs.ambientOcclusion) || (overdraw && !inputs.overdraw);
     std::string_view defines[3];
     size_t count = 0;
-    defines[count++] = nothing ? "SHOW_NOTHING" : defineOf(inputs.show);
+    defines[count++] = nothing ? "SHOW_NOTHING" : defineOf(inputs.view);
     if (clusters && inputs.clusterWords > 1) defines[count++] = "MODULATED_LIGHTS";
     if (inputs.orthographic) defines[count++] = "ORTHOGRAPHIC";
     const auto pipeline = pipelines_.find({defines, count});

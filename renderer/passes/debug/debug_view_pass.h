@@ -1,6 +1,6 @@
 #pragma once
 // An intermediate image as the picture: G-buffer channels, depth, velocity, shadow cascades, light
-// clusters. ShownImage::untextured to bloom are radiance: those go through TonemapPass.
+// clusters. DebugView::untextured to bloom are radiance: those go through TonemapPass.
 
 #include "renderer/frame/frame_input.h"
 #include "renderer/passes/fullscreen.h"
@@ -12,7 +12,7 @@ namespace rushlight {
 class DebugViewPass {
 public:
     struct Inputs {
-        ShownImage show = ShownImage::baseColor;
+        DebugView view = DebugView::baseColor;
         GBufferPass::Outputs gbuffer;
         ImageId ambientOcclusion;  ///< null: shown as black
         ImageId overdraw;          ///< OverdrawPass::Outputs; null: shown as black
@@ -25,14 +25,14 @@ public:
         vec2 depthDecode{0, 1};                    ///< CameraMatrices::depthDecode
         bool orthographic = false;
         float nearestDepth = 0.1f, farthestDepth = 100;  ///< metres: white and black of
-                                                         ///< ShownImage::depth
+                                                         ///< DebugView::depth
         FinalTarget target;
         CommandBuffer* data = nullptr;
     };
 
     explicit DebugViewPass(Device& device);
-    /// Whether `show` is one of this pass's.
-    static bool shows(ShownImage show);
+    /// Whether `view` is one of this pass's.
+    static bool shows(DebugView view);
     Result<void> add(FramePlan& plan, const Inputs& inputs);
 
 private:

@@ -43,15 +43,11 @@ void record(const Payload& p, PassContext& context) {
 
 }  // namespace
 
-LightingPart lightingPartOf(ShownImage shown) {
-    switch (shown) {
-        case ShownImage::untextured: return LightingPart::untextured;
-        case ShownImage::direct: return LightingPart::direct;
-        case ShownImage::ambient: return LightingPart::ambient;
-        case ShownImage::ambientShare: return LightingPart::ambientShare;
-        case ShownImage::emission: return LightingPart::emission;
-        default: return LightingPart::all;
-    }
+const char* toText(LightingPart part) {
+    // Indexed by LightingPart.
+    constexpr const char* kNames[] = {"lighting", "untextured",    "direct",
+                                      "ambient",  "ambient-share", "emission"};
+    return kNames[size_t(part)];
 }
 
 void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) const {
@@ -206,7 +202,9 @@ Result<LightingPass::Outputs> LightingPass::add(FramePlan& plan, const Inputs& i
     const auto entry = find(inputs);
     if (!entry) return tl::unexpected(entry.error());
     Outputs out;
-    out.radiance = plan.createImage({"radiance", Format::rgba16f, inputs.width, inputs.height});
+    const bool whole = inputs.part == LightingPart::all;
+    out.radiance = plan.createImage(
+        {whole ? "radiance" : toText(inputs.part), Format::rgba16f, inputs.width, inputs.height});
     const PassTargets::Color colors[] = {
         {out.radiance, hasBackground(inputs.part) ? LoadOp::discard : LoadOp::clear, {0, 0, 0, 1}}};
     const GBufferPass::Outputs& g = inputs.gbuffer;
@@ -225,7 +223,7 @@ Result<LightingPass::Outputs> LightingPass::add(FramePlan& plan, const Inputs& i
     targets.colors = colors;
     targets.depth = {g.depth, LoadOp::keep, 0, true};
     targets.reads = reads;
-    plan.addPass<Payload>("lighting", targets,
+    plan.addPass<Payload>(whole ? "lighting" : "lighting.part", targets,
                           {{g, inputs.lighting, inputs.ambientOcclusion, inputs.localTint,
                             inputs.localFlow, nearest_},
                            entry->lighting,

@@ -85,10 +85,9 @@ struct LitScreenBindings {
     void record(PassContext& context) const;
 };
 
-/// What of the lit radiance is drawn: ShownImage::untextured to emission; all of it in any frame
-/// that is meant to be seen.
+/// What of the lit radiance is drawn; all of it in any frame that is meant to be seen.
 enum class LightingPart : uint8_t { all, untextured, direct, ambient, ambientShare, emission };
-LightingPart lightingPartOf(ShownImage shown);
+const char* toText(LightingPart part);  ///< as its image is published; "lighting" for all
 
 class LightingPass {
 public:

@@ -8,6 +8,7 @@ namespace rushlight {
 namespace {
 
 constexpr uint32_t kMeansSide = 4;  // as exposure.frag reads them
+constexpr const char* kTexels[2] = {"exposure.0", "exposure.1"};
 constexpr float kMiddleGrey = 0.18f;
 constexpr float kSpeed = 2.0f;  // 1/s: 86 % of the way in a second
 // From full sun in lux to a room by candles; what is darker is meant to be dark.
@@ -23,45 +24,39 @@ ExposurePass::ExposurePass(Device& device)
       linear_(linearClampSampler(device)),
       nearest_(nearestClampSampler(device)) {}
 
-ExposurePass::~ExposurePass() {
-    for (const TextureHandle texel : texels_)
-        if (texel) device_.destroy(texel);
-}
-
-Result<void> ExposurePass::reserve() {
-    for (TextureHandle& texel : texels_) {
-        if (texel) continue;
-        TextureDesc desc;
-        desc.label = "exposure";
-        desc.format = Format::r32f;
-        auto texture = device_.createTexture(desc);
-        if (!texture) return tl::unexpected(texture.error());
-        texel = *texture;
+// Two texels in turn: a frame that fails leaves the one of the frame before as it was.
+Result<ImageId> ExposurePass::import(FramePlan& plan, ImageHistory& images, uint32_t texel,
+                                     const char* name) {
+    const uint32_t before = images.generationOf(kTexels[texel]);
+    const auto kept = images.get({kTexels[texel], Format::r32f, 1, 1});
+    if (!kept) return tl::unexpected(kept.error());
+    if (before == 0) {
         const float none = 0;
         TextureRegion region;
         region.width = region.height = 1;
-        device_.write(texel, region, std::as_bytes(std::span(&none, 1)));
+        device_.write(kept->texture, region, std::as_bytes(std::span(&none, 1)));
     }
-    return {};
+    return plan.importImage({name, Format::r32f, 1, 1}, kept->texture);
 }
 
 Result<ExposurePass::Outputs> ExposurePass::add(FramePlan& plan, const Inputs& inputs) {
-    if (auto ok = reserve(); !ok) return tl::unexpected(ok.error());
     const auto luminance = luminance_.find({});
     if (!luminance) return tl::unexpected(luminance.error());
     const auto exposure = exposure_.find({});
     if (!exposure) return tl::unexpected(exposure.error());
 
     const ImageId means = plan.createImage({"log-luminance", Format::r32f, kMeansSide, kMeansSide});
-    const ImageId previous = plan.importImage({"exposure-before", Format::r32f, 1, 1},
-                                              texels_[current_ ^ 1]);
-    const ImageId now = plan.importImage({"exposure", Format::r32f, 1, 1}, texels_[current_]);
-    current_ ^= 1;
+    ExposureHistory& history = *inputs.history;
+    const auto previous = import(plan, *inputs.images, history.current, "exposure-before");
+    if (!previous) return tl::unexpected(previous.error());
+    history.current ^= 1;
+    const auto now = import(plan, *inputs.images, history.current, "exposure");
+    if (!now) return tl::unexpected(now.error());
 
     interop::PassUniforms u{};
     u.sourceTexel = vec4(1.0f / float(inputs.sourceWidth), 1.0f / float(inputs.sourceHeight), 0, 0);
-    const float share = started_ ? 1.0f - std::exp(-kSpeed * inputs.deltaTime) : 1.0f;
-    started_ = true;
+    const float share = history.started ? 1.0f - std::exp(-kSpeed * inputs.deltaTime) : 1.0f;
+    history.started = true;
     u.settings = vec4(share, kLowestFactor, kHighestFactor, kMiddleGrey);
     const BufferRange uniforms = appendUniforms(*inputs.data, u);
 
@@ -77,14 +72,14 @@ Result<ExposurePass::Outputs> ExposurePass::add(FramePlan& plan, const Inputs& i
     }
     FullscreenDraw draw{*exposure, uniforms, {}};
     draw.textures[0] = {RL_TEXTURE_SOURCE0, means, nearest_};
-    draw.textures[1] = {RL_TEXTURE_SOURCE1, previous, nearest_};
-    const PassTargets::Color colors[] = {{now, LoadOp::discard}};
-    const ImageId reads[] = {means, previous};
+    draw.textures[1] = {RL_TEXTURE_SOURCE1, *previous, nearest_};
+    const PassTargets::Color colors[] = {{*now, LoadOp::discard}};
+    const ImageId reads[] = {means, *previous};
     PassTargets targets;
     targets.colors = colors;
     targets.reads = reads;
     plan.addPass<FullscreenDraw>("exposure", targets, draw, FullscreenDraw::record);
-    return Outputs{now};
+    return Outputs{*now};
 }
 
 }  // namespace rushlight

@@ -29,20 +29,6 @@ ShadowAtlasPass::ShadowAtlasPass(Device& device)
                           .fragmentShader = "passes/shadow/depth.frag"}),
       nearest_(nearestClampSampler(device)) {}
 
-ShadowAtlasPass::~ShadowAtlasPass() {
-    if (atlas_) device_.destroy(atlas_);
-    if (layer_) device_.destroy(layer_);
-}
-
-Result<TextureHandle> ShadowAtlasPass::createMap(const char* label, uint32_t size) {
-    TextureDesc desc;
-    desc.label = label;
-    desc.kind = TextureKind::texture2dArray;
-    desc.format = Format::depth32f;
-    desc.width = desc.height = size;
-    return device_.createTexture(desc);
-}
-
 Result<void> ShadowAtlasPass::createPipelines() {
     if (copy_) return {};
     constexpr std::string_view kFromLayer[] = {"FROM_LAYER"};
@@ -59,25 +45,6 @@ Result<void> ShadowAtlasPass::createPipelines() {
     clear_ = *clear;
     copy_ = *copy;
     return {};
-}
-
-Result<void> ShadowAtlasPass::prepare(uint32_t size, bool needsLayer) {
-    if (auto ok = createPipelines(); !ok) return ok;
-    if (size != size_) {
-        for (TextureHandle* map : {&atlas_, &layer_})
-            if (*map) device_.destroy(std::exchange(*map, {}));
-        size_ = size;
-    }
-    const auto need = [&](TextureHandle& map, bool& isNew, const char* label) -> Result<void> {
-        if (map) return {};
-        auto texture = createMap(label, size);
-        if (!texture) return tl::unexpected(texture.error());
-        map = *texture;
-        isNew = true;
-        return {};
-    };
-    if (auto ok = need(atlas_, atlasIsNew_, "shadow-atlas"); !ok) return ok;
-    return needsLayer ? need(layer_, layerIsNew_, "shadow-atlas-still") : Result<void>();
 }
 
 void ShadowAtlasPass::recordLayer(const Payload& p, PassContext& context) {
@@ -127,35 +94,46 @@ Result<ShadowAtlasPass::Outputs> ShadowAtlasPass::add(FramePlan& plan, const Inp
     const bool usesLayer = std::ranges::any_of(in.draws, &ShadowDraw::fromLayer);
     const bool drawsLayer = std::ranges::any_of(
         in.draws, [](const ShadowDraw& draw) { return draw.layerCasters != nullptr; });
-    if (auto ok = prepare(in.size, usesLayer); !ok) return tl::unexpected(ok.error());
+    if (auto ok = createPipelines(); !ok) return tl::unexpected(ok.error());
     for (const ShadowDraw& draw : in.draws)
         for (DrawList* list : {draw.layerCasters, draw.still, draw.moving})
             if (list)
                 if (auto ok = pipelines_.assign(*list); !ok) return tl::unexpected(ok.error());
 
-    Outputs out;
-    out.atlas = plan.importImage({"shadow-atlas", Format::depth32f, in.size, in.size}, atlas_);
-    Payload payload{in.draws, in.binder, clear_, copy_, {}, nearest_};
-    // What no tile covers is written once, so that a map's hash is of known bytes.
-    const auto loadOp = [](bool& isNew) {
-        return std::exchange(isNew, false) ? LoadOp::clear : LoadOp::keep;
+    const auto import = [&](const char* name, uint32_t& generation) -> Result<ImageId> {
+        const PlanImage shape{name, Format::depth32f, in.size, in.size, 1, true};
+        const auto kept = in.images->get(shape);
+        if (!kept) return tl::unexpected(kept.error());
+        generation = kept->generation;
+        return plan.importImage(shape, kept->texture);
     };
-    if (usesLayer)
-        payload.layer = plan.importImage({"shadow-atlas-still", Format::depth32f, in.size, in.size},
-                                         layer_);
-    if (drawsLayer) {
-        PassTargets targets;
-        targets.depth = {payload.layer, loadOp(layerIsNew_)};
-        plan.addPass<Payload>("shadow.still", targets, payload, recordLayer);
+    // What no tile covers is written once, so that a map's hash is of known bytes.
+    const auto loadOp = [](uint32_t& drawn, uint32_t generation) {
+        return std::exchange(drawn, generation) == generation ? LoadOp::keep : LoadOp::clear;
+    };
+    uint32_t generation = 0;
+    const auto atlas = import(AtlasGenerations::kAtlas, generation);
+    if (!atlas) return tl::unexpected(atlas.error());
+    Payload payload{in.draws, in.binder, clear_, copy_, {}, nearest_};
+    if (usesLayer) {
+        uint32_t ofLayer = 0;
+        const auto layer = import(AtlasGenerations::kStill, ofLayer);
+        if (!layer) return tl::unexpected(layer.error());
+        payload.layer = *layer;
+        if (drawsLayer) {
+            PassTargets targets;
+            targets.depth = {payload.layer, loadOp(in.history->still, ofLayer)};
+            plan.addPass<Payload>("shadow.still", targets, payload, recordLayer);
+        }
     }
     if (!in.draws.empty()) {
         const ImageId reads[] = {payload.layer};
         PassTargets targets;
-        targets.depth = {out.atlas, loadOp(atlasIsNew_)};
+        targets.depth = {*atlas, loadOp(in.history->atlas, generation)};
         targets.reads = reads;
         plan.addPass<Payload>("shadow.atlas", targets, payload, recordAtlas);
     }
-    return out;
+    return Outputs{*atlas};
 }
 
 }  // namespace rushlight

@@ -6,27 +6,34 @@
 // vertex and save nothing.
 
 #include "renderer/passes/surface/surface_pipelines.h"
-#include "renderer/plan/frame_plan.h"
+#include "renderer/plan/image_history.h"
 #include "renderer/shadows/shadow_schedule.h"
 
 namespace rushlight {
+
+/// The images that hold what ShadowAtlasHistory says. A value.
+struct AtlasGenerations {
+    static constexpr const char* kAtlas = "shadow-atlas";
+    static constexpr const char* kStill = "shadow-atlas-still";
+    static constexpr const char* kGlass = "shadow-atlas-glass";
+    uint32_t atlas = 0, still = 0, glass = 0;  ///< 0: never drawn into
+};
 
 class ShadowAtlasPass {
 public:
     struct Inputs {
         std::span<const ShadowDraw> draws;  ///< until the plan is recorded
         DrawBinder binder;
-        uint32_t size = 0;  ///< texels a side
+        uint32_t size = 0;                    ///< texels a side
+        ImageHistory* images = nullptr;       ///< the view's
+        AtlasGenerations* history = nullptr;  ///< of the frame before; becomes this frame's
     };
     struct Outputs {
         ImageId atlas;  ///< D32F array of one layer; see ShadowView
     };
 
     explicit ShadowAtlasPass(Device& device);
-    ~ShadowAtlasPass();
     Result<Outputs> add(FramePlan& plan, const Inputs& inputs);
-    /// What was planned may not have been drawn: the maps hold nothing.
-    void forget() { atlasIsNew_ = layerIsNew_ = true; }
 
 private:
     struct Payload {
@@ -38,17 +45,12 @@ private:
     };
     static void recordLayer(const Payload&, PassContext&);
     static void recordAtlas(const Payload&, PassContext&);
-    Result<void> prepare(uint32_t size, bool needsLayer);
-    Result<TextureHandle> createMap(const char* label, uint32_t size);
     Result<void> createPipelines();
 
     Device& device_;
     SurfacePipelines pipelines_;
     SamplerHandle nearest_;
     PipelineHandle clear_, copy_;
-    TextureHandle atlas_, layer_;
-    bool atlasIsNew_ = false, layerIsNew_ = false;
-    uint32_t size_ = 0;
 };
 
 }  // namespace rushlight

@@ -9,7 +9,7 @@
 namespace rushlight {
 namespace {
 
-constexpr const char* kPassNames[ShadowPass::kMaxViews] = {
+constexpr const char* kPassNames[kMaxSunViews] = {
     "shadow.glass.0", "shadow.glass.1", "shadow.glass.2", "shadow.glass.3", "shadow.glass.4",
     "shadow.glass.5", "shadow.glass.6", "shadow.glass.7", "shadow.glass.8", "shadow.glass.9"};
 constexpr vec4 kNothing{1, 1, 1, 0};  // white, infinitely far
@@ -56,49 +56,22 @@ ShadowGlassPass::ShadowGlassPass(Device& device)
       sunPipelines_(device, pipelinesOf("shadow.glass", true)),
       atlasPipelines_(device, pipelinesOf("shadow.atlas.glass", false)) {}
 
-ShadowGlassPass::~ShadowGlassPass() {
-    if (sun_) device_.destroy(sun_);
-    if (atlas_) device_.destroy(atlas_);
-}
-
-Result<void> ShadowGlassPass::reserve(TextureHandle& map, const char* label, uint32_t size,
-                                      uint32_t layers) {
-    TextureDesc desc;
-    desc.label = label;
-    desc.kind = TextureKind::texture2dArray;
-    desc.format = Format::rgba16f;
-    desc.width = desc.height = size;
-    desc.layers = layers;
-    auto texture = device_.createTexture(desc);
-    if (!texture) return tl::unexpected(texture.error());
-    if (map) device_.destroy(map);
-    map = *texture;
-    return {};
-}
-
-Result<void> ShadowGlassPass::reserveSun(uint32_t resolution, uint32_t layers) {
-    if (sun_ && resolution == resolution_ && layers == layers_) return {};
-    if (auto ok = reserve(sun_, "shadow-map-glass", resolution, layers); !ok) return ok;
-    resolution_ = resolution;
-    layers_ = layers;
-    forget();
-    return {};
-}
-
 Result<ShadowGlassPass::SunOutputs> ShadowGlassPass::addSun(FramePlan& plan, const SunInputs& in) {
     SunOutputs out;
     if (std::ranges::all_of(in.views, [](const SunView& v) { return v.casters->items.empty(); }))
         return out;
-    if (auto ok = reserveSun(in.resolution, uint32_t(in.views.size())); !ok)
-        return tl::unexpected(ok.error());
-    out.glass = plan.importImage(
-        {"shadow-map-glass", Format::rgba16f, resolution_, resolution_, layers_}, sun_);
+    const PlanImage shape{"shadow-map-glass", Format::rgba16f,           in.resolution,
+                          in.resolution,      uint32_t(in.views.size()), true};
+    const auto image = in.images->get(shape);
+    if (!image) return tl::unexpected(image.error());
+    auto& contents = in.history->of(*image);
+    out.glass = plan.importImage(shape, image->texture);
     constexpr std::string_view kParallel[] = {"PARALLEL_LIGHT"};
     for (uint32_t i = 0; i < in.views.size(); ++i) {
         const SunView& view = in.views[i];
         const uint64_t content = contentOf(view);
-        if (in.caching && contents_[i] == content) continue;
-        contents_[i] = content;
+        if (in.caching && contents[i] == content) continue;
+        contents[i] = content;
         out.drawnViews |= 1u << i;
         if (auto ok = sunPipelines_.assign(*view.casters, kParallel); !ok)
             return tl::unexpected(ok.error());
@@ -147,21 +120,18 @@ void ShadowGlassPass::recordAtlas(const AtlasPayload& p, PassContext& context) {
 
 Result<ImageId> ShadowGlassPass::addAtlas(FramePlan& plan, const AtlasInputs& in) {
     if (auto ok = createClear(); !ok) return tl::unexpected(ok.error());
-    if (!atlas_ || atlasSize_ != in.size) {
-        if (auto ok = reserve(atlas_, "shadow-atlas-glass", in.size, 1); !ok)
-            return tl::unexpected(ok.error());
-        atlasSize_ = in.size;
-        atlasIsNew_ = true;
-    }
-    const ImageId glass = plan.importImage(
-        {"shadow-atlas-glass", Format::rgba16f, in.size, in.size}, atlas_);
+    const PlanImage shape{AtlasGenerations::kGlass, Format::rgba16f, in.size, in.size, 1, true};
+    const auto image = in.images->get(shape);
+    if (!image) return tl::unexpected(image.error());
+    const ImageId glass = plan.importImage(shape, image->texture);
     for (const GlassDraw& draw : in.draws)
         if (draw.casters)
             if (auto ok = atlasPipelines_.assign(*draw.casters); !ok)
                 return tl::unexpected(ok.error());
     if (in.draws.empty()) return glass;
     // What no tile covers is written once, so that the map's hash is of known bytes.
-    const LoadOp load = std::exchange(atlasIsNew_, false) ? LoadOp::clear : LoadOp::keep;
+    const bool isNew = std::exchange(in.history->glass, image->generation) != image->generation;
+    const LoadOp load = isNew ? LoadOp::clear : LoadOp::keep;
     const PassTargets::Color colors[] = {{glass, load, kNothing}};
     PassTargets targets;
     targets.colors = colors;

@@ -4,9 +4,9 @@
 // (shaders/common/shadow/glass_shadow.glsl). Maps have the layout of the shadow maps, and are made
 // when there is something to be drawn into them.
 
+#include "renderer/passes/shadow/shadow_atlas_pass.h"
 #include "renderer/passes/shadow/shadow_pass.h"
 #include "renderer/passes/surface/surface_pipelines.h"
-#include "renderer/plan/frame_plan.h"
 #include "renderer/shadows/shadow_schedule.h"
 
 #include <array>
@@ -26,6 +26,8 @@ public:
         uint32_t resolution = 0;
         DrawBinder binder;
         bool caching = true;
+        ImageHistory* images = nullptr;       ///< the view's
+        SunShadowHistory* history = nullptr;  ///< of the frame before; becomes this frame's
     };
     struct SunOutputs {
         ImageId glass;            ///< RGBA16F array; null where no view sees what colours light
@@ -36,19 +38,14 @@ public:
         ImageId atlas;                     ///< drawn before
         uint32_t size = 0;
         DrawBinder binder;
+        ImageHistory* images = nullptr;       ///< the view's
+        AtlasGenerations* history = nullptr;  ///< of the frame before; becomes this frame's
     };
 
     explicit ShadowGlassPass(Device& device);
-    ~ShadowGlassPass();
     Result<SunOutputs> addSun(FramePlan& plan, const SunInputs& inputs);
     /// RGBA16F array of one layer.
     Result<ImageId> addAtlas(FramePlan& plan, const AtlasInputs& inputs);
-    /// Shader or mesh contents changed, or what was planned was not drawn: nothing cached is good
-    /// any more. (Of the atlas's squares, ShadowLights knows.)
-    void forget() {
-        contents_ = {};
-        atlasIsNew_ = true;
-    }
 
 private:
     struct AtlasPayload {
@@ -57,17 +54,11 @@ private:
         PipelineHandle clear;
     };
     static void recordAtlas(const AtlasPayload&, PassContext&);
-    Result<void> reserve(TextureHandle& map, const char* label, uint32_t size, uint32_t layers);
-    Result<void> reserveSun(uint32_t resolution, uint32_t layers);
     Result<void> createClear();
 
     Device& device_;
     SurfacePipelines sunPipelines_, atlasPipelines_;
     PipelineHandle clear_;
-    TextureHandle sun_, atlas_;
-    uint32_t resolution_ = 0, layers_ = 0, atlasSize_ = 0;
-    bool atlasIsNew_ = true;
-    std::array<uint64_t, ShadowPass::kMaxViews> contents_{};
 };
 
 }  // namespace rushlight

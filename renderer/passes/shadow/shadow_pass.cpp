@@ -9,9 +9,9 @@
 namespace rushlight {
 namespace {
 
-constexpr const char* kPassNames[ShadowPass::kMaxViews] = {
-    "shadow.0", "shadow.1", "shadow.2", "shadow.3", "shadow.4",
-    "shadow.5", "shadow.6", "shadow.7", "shadow.8", "shadow.9"};
+constexpr const char* kPassNames[kMaxSunViews] = {"shadow.0", "shadow.1", "shadow.2", "shadow.3",
+                                                  "shadow.4", "shadow.5", "shadow.6", "shadow.7",
+                                                  "shadow.8", "shadow.9"};
 
 struct Payload {
     const DrawList* casters;
@@ -32,51 +32,31 @@ void record(const Payload& payload, PassContext& context) {
 // (shaders/common/shadow/shadow_filter.glsl). Depth is clamped so that casters before the view
 // still cast.
 ShadowPass::ShadowPass(Device& device)
-    : device_(device),
-      pipelines_(device, {.label = "shadow",
+    : pipelines_(device, {.label = "shadow",
                           .vertexShader = "passes/surface/surface.vert",
                           .fragmentShader = "passes/shadow/depth.frag",
                           .depthClamp = true}) {}
 
-ShadowPass::~ShadowPass() {
-    if (map_) device_.destroy(map_);
-}
-
-Result<void> ShadowPass::reserve(uint32_t resolution, uint32_t layers) {
-    if (map_ && resolution == resolution_ && layers == layers_) return {};
-    TextureDesc desc;
-    desc.label = "shadow-map";
-    desc.kind = TextureKind::texture2dArray;
-    desc.format = Format::depth32f;
-    desc.width = desc.height = resolution;
-    desc.layers = layers;
-    auto texture = device_.createTexture(desc);
-    if (!texture) return tl::unexpected(texture.error());
-    if (map_) device_.destroy(map_);
-    map_ = *texture;
-    resolution_ = resolution;
-    layers_ = layers;
-    forget();
-    return {};
-}
-
 Result<ShadowPass::Outputs> ShadowPass::add(FramePlan& plan, const Inputs& inputs) {
     const uint32_t count = uint32_t(inputs.views.size());
-    if (auto ok = reserve(inputs.resolution, count); !ok) return tl::unexpected(ok.error());
+    const uint32_t side = inputs.resolution;
+    const PlanImage shape{"shadow-map", Format::depth32f, side, side, count, true};
+    const auto image = inputs.images->get(shape);
+    if (!image) return tl::unexpected(image.error());
+    auto& contents = inputs.history->of(*image);
     Outputs out;
-    out.map = plan.importImage({"shadow-map", Format::depth32f, resolution_, resolution_, layers_},
-                               map_);
-    out.contents = hashes_;
+    out.map = plan.importImage(shape, image->texture);
+    out.contents = contents;
     for (uint32_t i = 0; i < count; ++i) {
         const View& view = inputs.views[i];
         DrawList& casters = *view.casters;
         const uint64_t hash = casters.contentHash() ^ mixBits(inputs.world.value) ^
                               hashBytes(&view.cascade->clipFromWorld, sizeof(mat4), 7);
-        if (inputs.caching && hash == hashes_[i]) {
+        if (inputs.caching && hash == contents[i]) {
             ++out.cached;
             continue;
         }
-        hashes_[i] = hash;
+        contents[i] = hash;
         ++out.drawn;
         out.drawnViews |= 1u << i;
         if (auto ok = pipelines_.assign(casters); !ok) return tl::unexpected(ok.error());

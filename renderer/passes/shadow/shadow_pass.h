@@ -3,29 +3,43 @@
 // and casters hash as they did when it was last drawn is kept as it is.
 
 #include "renderer/passes/surface/surface_pipelines.h"
-#include "renderer/plan/frame_plan.h"
+#include "renderer/plan/image_history.h"
 #include "renderer/visibility/shadow_cascades.h"
 
 #include <array>
 
 namespace rushlight {
 
+/// Four of the first sun, two of each of three others.
+inline constexpr uint32_t kMaxSunViews = 10;
+
+/// What the layers of a view's map hold. A value.
+struct SunShadowHistory {
+    uint32_t generation = 0;                        ///< of the image that the contents are of
+    std::array<uint64_t, kMaxSunViews> contents{};  ///< by layer; 0: not known
+
+    /// The contents, where `image` is still the one that they are of.
+    std::array<uint64_t, kMaxSunViews>& of(const ImageHistory::Kept& image) {
+        if (generation != image.generation) *this = {image.generation, {}};
+        return contents;
+    }
+};
+
 class ShadowPass {
 public:
-    static constexpr uint32_t kMaxViews = 10;  ///< four of the first sun, two of each of three
-                                               ///< others
-
     struct View {
         const ShadowCascade* cascade = nullptr;
         DrawList* casters = nullptr;
         BufferRange uniforms;
     };
     struct Inputs {
-        std::span<const View> views;  ///< at most kMaxViews; each has a layer of the map
+        std::span<const View> views;  ///< at most kMaxSunViews; each has a layer of the map
         uint32_t resolution = 0;
         DrawBinder binder;
         WorldHandle world;  ///< that the casters come from
         bool caching = true;
+        ImageHistory* images = nullptr;       ///< the view's
+        SunShadowHistory* history = nullptr;  ///< of the frame before; becomes this frame's
     };
     struct Outputs {
         ImageId map;              ///< D32F array, reversed: 1 nearest to the light
@@ -37,19 +51,10 @@ public:
     };
 
     explicit ShadowPass(Device& device);
-    ~ShadowPass();
     Result<Outputs> add(FramePlan& plan, const Inputs& inputs);
-    /// Shader or mesh contents changed: nothing cached is good any more.
-    void forget() { hashes_ = {}; }
 
 private:
-    Result<void> reserve(uint32_t resolution, uint32_t layers);
-
-    Device& device_;
     SurfacePipelines pipelines_;
-    TextureHandle map_;
-    uint32_t resolution_ = 0, layers_ = 0;
-    std::array<uint64_t, kMaxViews> hashes_{};
 };
 
 }  // namespace rushlight

@@ -31,17 +31,17 @@ struct CaptureArguments {
     SequenceOptions sequence;
 };
 
-std::optional<ShownImage> findShownImage(const std::string& name) {
-    for (uint8_t i = 0; i < uint8_t(ShownImage::count); ++i)
-        if (name == toText(ShownImage(i))) return ShownImage(i);
+std::optional<DebugView> findDebugView(const std::string& name) {
+    for (uint8_t i = 0; i < uint8_t(DebugView::count); ++i)
+        if (name == toText(DebugView(i))) return DebugView(i);
     return {};
 }
 
 std::string checkPassName(const std::string& name) {
-    if (name == "all" || findShownImage(name)) return {};
+    if (name == "all" || findDebugView(name)) return {};
     std::string message = "\"" + name + "\" is no pass; there are all";
-    for (uint8_t i = 0; i < uint8_t(ShownImage::count); ++i)
-        message += std::string(", ") + toText(ShownImage(i));
+    for (uint8_t i = 0; i < uint8_t(DebugView::count); ++i)
+        message += std::string(", ") + toText(DebugView(i));
     return message;
 }
 
@@ -79,7 +79,7 @@ private:
 FrameInput Capture::input() const {
     FrameInput input = setup_.frame();
     input.settings.deltaTime = 1 / arguments_.sequence.framesPerSecond;
-    if (const auto shown = findShownImage(arguments_.pass)) input.settings.show = *shown;
+    if (const auto shown = findDebugView(arguments_.pass)) input.settings.debugView = *shown;
     return input;
 }
 
@@ -118,12 +118,12 @@ Result<void> Capture::write(const FrameInput& frame, const std::string& path) {
 
 Result<void> Capture::allPasses() {
     const Progress progress("picture");
-    for (uint8_t i = 0; i < uint8_t(ShownImage::count); ++i) {
+    for (uint8_t i = 0; i < uint8_t(DebugView::count); ++i) {
         FrameInput frame = input();
-        frame.settings.show = ShownImage(i);
-        const std::string path = arguments_.output + "/" + toText(ShownImage(i)) + ".png";
+        frame.settings.debugView = DebugView(i);
+        const std::string path = arguments_.output + "/" + toText(DebugView(i)) + ".png";
         if (auto written = write(frame, path); !written) return written;
-        progress.show(i + 1u, uint32_t(ShownImage::count));
+        progress.show(i + 1u, uint32_t(DebugView::count));
     }
     return {};
 }

@@ -39,7 +39,7 @@ TEST_F(AllocationsGl, WarmFramesWithColouredShadowsMakeNone) {
 
 TEST_F(AllocationsGl, WarmFramesWithBoundsMakeNone) {
     RandomScene scene(*renderer, 3);
-    scene.settings.show = ShownImage::bounds;
+    scene.settings.debugView = DebugView::bounds;
     EXPECT_EQ(allocationsOfWarmCaptures(*renderer, scene), 0u);
 }
 

@@ -20,10 +20,10 @@ class BreakdownGlTest : public LitFrame {
 protected:
     BreakdownGlTest() : LitFrame(kWidth, kHeight) {}
 
-    CapturedImage show(const FrameInput& frame, ShownImage image,
+    CapturedImage show(const FrameInput& frame, DebugView image,
                        CaptureKind kind = CaptureKind::hdr, const FrameOptions& options = {}) {
         FrameInput shown = frame;
-        shown.settings.show = image;
+        shown.settings.debugView = image;
         CapturedImage picture;
         const auto ticket = renderer->renderOffscreen(shown, kWidth, kHeight, kind, options);
         EXPECT_TRUE(ticket) << ticket.error().text();
@@ -34,12 +34,12 @@ protected:
     /// Direct + ambient * share + emission against the lit image; the number of values that are
     /// over zero in each part.
     std::array<size_t, 4> expectPartsAddUp(const FrameInput& frame) {
-        constexpr ShownImage kParts[] = {ShownImage::direct, ShownImage::ambient,
-                                         ShownImage::ambientShare, ShownImage::emission};
+        constexpr DebugView kParts[] = {DebugView::direct, DebugView::ambient,
+                                        DebugView::ambientShare, DebugView::emission};
         std::array<CapturedImage, 4> parts;
         std::array<size_t, 4> lit{};
         for (size_t p = 0; p < 4; ++p) parts[p] = show(frame, kParts[p]);
-        const CapturedImage whole = show(frame, ShownImage::lighting);
+        const CapturedImage whole = show(frame, DebugView::lighting);
         size_t wrong = 0;
         for (size_t i = 0; i < whole.rgba32f.size(); ++i) {
             if (i % 4 == 3) continue;
@@ -79,8 +79,8 @@ TEST_F(BreakdownGlTest, LightInPartsAddsUp) {
     // without occlusion.
     const auto lowest = [&] {
         float least = 10;
-        const CapturedImage share = show(input, ShownImage::ambientShare);
-        const CapturedImage ambient = show(input, ShownImage::ambient);
+        const CapturedImage share = show(input, DebugView::ambientShare);
+        const CapturedImage ambient = show(input, DebugView::ambient);
         for (size_t i = 0; i < share.rgba32f.size(); i += 4)
             if (ambient.rgba32f[i] > 0.01f) least = std::min(least, share.rgba32f[i]);
         return least;
@@ -110,8 +110,8 @@ TEST_F(BreakdownGlTest, LightFallsOnSurfacesAlone) {
     input.lighting.ambientSky = input.lighting.ambientGround = vec3(1);
     input.lighting.backgroundColor = vec3(0.5f);
     input.instances = instances;
-    for (const ShownImage part : {ShownImage::untextured, ShownImage::direct, ShownImage::ambient,
-                                  ShownImage::ambientShare}) {
+    for (const DebugView part :
+         {DebugView::untextured, DebugView::direct, DebugView::ambient, DebugView::ambientShare}) {
         const CapturedImage picture = show(input, part);
         EXPECT_EQ(pixelOf(picture, 1, 1), vec3(0)) << int(part);
         EXPECT_EQ(pixelOf(picture, kWidth - 2, kHeight - 2), vec3(0)) << int(part);
@@ -126,7 +126,7 @@ TEST_F(BreakdownGlTest, OverdrawCountsWhatTheGBufferWasWrittenWith) {
         addBox({random.uniform(-2, 2), random.uniform(-1, 1), random.uniform(-2, 2)},
                {random.uniform(0.1f, 1), random.uniform(0.1f, 1), random.uniform(0.1f, 1)});
     input.instances = instances;
-    input.settings.show = ShownImage::overdraw;
+    input.settings.debugView = DebugView::overdraw;
     const auto texelsOf = [&](const char* name) {
         std::vector<std::byte> texels;
         for (const PassReport& pass : renderer->report().passes)
@@ -134,10 +134,10 @@ TEST_F(BreakdownGlTest, OverdrawCountsWhatTheGBufferWasWrittenWith) {
                 if (std::string_view(image.name) == name) texels = image.texels;
         return texels;
     };
-    show(input, ShownImage::overdraw, CaptureKind::display, {.keepImages = true});
+    show(input, DebugView::overdraw, CaptureKind::display, {.keepImages = true});
     const std::vector<std::byte> counts = texelsOf("overdraw");
     EXPECT_FALSE(hasPass("gbuffer"));
-    show(input, ShownImage::frame, CaptureKind::display, {.keepImages = true});
+    show(input, DebugView::none, CaptureKind::display, {.keepImages = true});
     const std::vector<std::byte> depths = texelsOf("depth");
     ASSERT_EQ(counts.size(), size_t(kWidth) * kHeight * 2);
     ASSERT_EQ(depths.size(), size_t(kWidth) * kHeight * 4);
@@ -161,9 +161,9 @@ TEST_F(BreakdownGlTest, LookingIntoAFrameChangesNoCounter) {
     FrameInput frame = scene.frame(0);
     frame.settings.shadowCaching = false;
     for (int i = 0; i < 8; ++i)  // timers are made one frame after the other
-        show(frame, ShownImage::frame, CaptureKind::display);
+        show(frame, DebugView::none, CaptureKind::display);
     const FrameReport plain = renderer->report();
-    show(frame, ShownImage::frame, CaptureKind::display, {.hashPasses = true, .keepImages = true});
+    show(frame, DebugView::none, CaptureKind::display, {.hashPasses = true, .keepImages = true});
     const FrameReport looked = renderer->report();
     EXPECT_EQ(plain.draws, looked.draws);
     EXPECT_EQ(plain.stateChanges, looked.stateChanges);
@@ -187,7 +187,7 @@ TEST_F(BreakdownGlTest, LookingIntoAFrameChangesNoCounter) {
 TEST_F(BreakdownGlTest, TheFrameIsTheOneThatIsCaptured) {
     RandomScene scene(*renderer, 4);
     const FrameInput frame = scene.frame(0);
-    const CapturedImage captured = show(frame, ShownImage::frame, CaptureKind::display);
+    const CapturedImage captured = show(frame, DebugView::none, CaptureKind::display);
     const auto taken = takeBreakdown(*renderer, frame, {kWidth, kHeight, {}});
     ASSERT_TRUE(taken) << taken.error().text();
     size_t found = 0;

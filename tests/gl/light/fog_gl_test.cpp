@@ -52,7 +52,7 @@ TEST_F(FogGl, CanBeShownAlone) {
     const vec3 wall(0.9f, 0.5f, 0.25f);
     addBox({0, 0, -11}, {1000, 1000, 1}, glowing(wall));
     const vec3 whole = centre();
-    input.settings.show = ShownImage::fog;
+    input.settings.debugView = DebugView::fog;
     const CapturedImage alone = render();
     const size_t middle = 4 * (size_t(kHeight / 2) * kWidth + kWidth / 2);
     const float covered = alone.rgba32f[middle + 3];

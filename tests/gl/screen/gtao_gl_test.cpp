@@ -27,7 +27,7 @@ class GtaoGl : public ScreenFrames {
 protected:
     void SetUp() override {
         ScreenFrames::SetUp();
-        input.settings.show = ShownImage::ambientOcclusion;
+        input.settings.debugView = DebugView::ambientOcclusion;
         input.settings.ambientOcclusion = AmbientOcclusion::high;
         input.settings.ambientOcclusionRadius = kRadius;
         input.lighting.ambientSky = input.lighting.ambientGround = vec3(1);
@@ -186,7 +186,7 @@ TEST_F(GtaoGl, LightComesFromWhereItIsOpen) {
     const MaterialHandle material = *renderer->createMaterial(matt);
     scene->addBox({-9, -1, -9}, {9, 0, 9}, material);
     scene->addBox({-9, 0, -9}, {9, 9, -1}, material);
-    input.settings.show = ShownImage::frame;
+    input.settings.debugView = DebugView::none;
     look({0, 2.5f, 2}, {0, 0.2f, -0.6f});
     const auto diffuse = [&](AmbientOcclusion quality) {
         input.settings.ambientOcclusion = quality;
@@ -284,7 +284,7 @@ TEST_F(GtaoGl, AMovingCameraDoesNotMakeShadesSwim) {
 TEST_F(GtaoGl, AFrameWithoutAmbientLightHasNoPassOfIt) {
     scene->addBox({-9, -1, -9}, {9, 0, 9});
     look({0, 1, 2}, {0, 0, 0});
-    input.settings.show = ShownImage::frame;
+    input.settings.debugView = DebugView::none;
     render(CaptureKind::display);
     EXPECT_TRUE(hasPass("gtao") && hasPass("gtao.denoise"));
     input.lighting.ambientSky = input.lighting.ambientGround = vec3(0);

@@ -376,13 +376,13 @@ TEST_F(PostGlTest, EveryDebugViewCompilesAndShowsTheGBuffer) {
     const std::vector<float> depths(kWidth * kHeight, 0.01f);
     const TextureHandle color = upload(Format::rgba8, kWidth, kHeight, orange);
     const TextureHandle depth = upload(Format::r32f, kWidth, kHeight, depths);
-    for (uint32_t i = 0; i < uint32_t(ShownImage::count); ++i) {
-        const ShownImage show = ShownImage(i);
+    for (uint32_t i = 0; i < uint32_t(DebugView::count); ++i) {
+        const DebugView show = DebugView(i);
         if (!DebugViewPass::shows(show)) continue;
         SCOPED_TRACE(toText(show));
         begin();
         DebugViewPass::Inputs in;
-        in.show = show;
+        in.view = show;
         in.gbuffer.target0 = import(color, Format::rgba8);
         in.gbuffer.target1 = import(color, Format::rgba8);
         in.gbuffer.target2 = import(color, Format::rgba8);
@@ -390,7 +390,7 @@ TEST_F(PostGlTest, EveryDebugViewCompilesAndShowsTheGBuffer) {
         in.depthDecode = {10, 0};  // view depth 0.1 / 0.01 = 10 m
         in.target = target();
         in.data = &commands_;
-        if (show == ShownImage::ambientOcclusion) {  // halfway open; the depth's bits are 0.01's
+        if (show == DebugView::ambientOcclusion) {  // halfway open; the depth's bits are 0.01's
             const float half = std::bit_cast<float>((std::bit_cast<uint32_t>(0.01f) & ~1023u) |
                                                     512u);
             const std::vector<vec4> texels(kWidth / 2 * kHeight / 2, vec4(0, 0, 0, half));
@@ -398,7 +398,7 @@ TEST_F(PostGlTest, EveryDebugViewCompilesAndShowsTheGBuffer) {
                 {"occlusion", Format::rgba32f, kWidth / 2, kHeight / 2},
                 upload(Format::rgba32f, kWidth / 2, kHeight / 2, texels));
         }
-        if (show == ShownImage::clusters) {
+        if (show == DebugView::clusters) {
             const uint32_t counts[] = {32};
             in.clusters = commands_.append(std::span<const uint32_t>(counts));
             in.clusterCounts = {1, 1, 1, 0};
@@ -411,17 +411,17 @@ TEST_F(PostGlTest, EveryDebugViewCompilesAndShowsTheGBuffer) {
         EXPECT_EQ(t[3], 255);
         float expected = float(t[0]);
         switch (show) {
-            case ShownImage::metallic: expected = 64; break;
-            case ShownImage::depth:
+            case DebugView::metallic: expected = 64; break;
+            case DebugView::depth:
                 expected = 255.0f / 3;
-                break;                                     // 10 m leave a third of 0.1 to 100
-            case ShownImage::shadow: expected = 0; break;  // there is none
-            case ShownImage::ambientOcclusion: expected = 255.0f * 512 / 1023; break;
-            case ShownImage::clusters: expected = 255; break;  // 32 lights are white
+                break;                                    // 10 m leave a third of 0.1 to 100
+            case DebugView::shadow: expected = 0; break;  // there is none
+            case DebugView::ambientOcclusion: expected = 255.0f * 512 / 1023; break;
+            case DebugView::clusters: expected = 255; break;  // 32 lights are white
             default: break;
         }
         EXPECT_NEAR(t[0], expected, 1.1f);
-        if (show == ShownImage::baseColor) {
+        if (show == DebugView::baseColor) {
             EXPECT_NEAR(t[1], interop::encodeSrgb(128.0f * 128 / (255 * 255)) * 255, 1.1f);
         }
     }

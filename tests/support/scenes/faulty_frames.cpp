@@ -230,7 +230,7 @@ std::vector<FaultyFrame> faultsOfContents() {
          [](Stage& s) { s.lamps[1].position.x = kNan; }},
         {"the window is minimised", Cause::targetSize, buildYard, [](Stage& s) { s.size.y = 0; }},
         {"another picture is shown", Cause::shownImage, buildShop,
-         [](Stage& s) { s.input.settings.show = ShownImage::emissive; }},
+         [](Stage& s) { s.input.settings.debugView = DebugView::emissive; }},
     };
 }
 
@@ -426,7 +426,7 @@ std::vector<FaultyFrame> laterFaults() {
         {"soup over the field", Cause::fog, buildField,
          [](Stage& s) { s.input.lighting.fog.density = 5; }},
         {"roughness for depth", Cause::shownImage, buildCards,
-         [](Stage& s) { s.input.settings.show = ShownImage::metallic; }},
+         [](Stage& s) { s.input.settings.debugView = DebugView::metallic; }},
         {"five suns", Cause::refused, buildField, [](Stage& s) { s.suns.resize(5, s.suns[0]); }},
         {"a texture of ink", Cause::blackMaterials, buildCards,
          [](Stage& s) {

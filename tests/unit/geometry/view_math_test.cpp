@@ -144,14 +144,6 @@ TEST(ViewMath, AxesAndAspect) {
     EXPECT_FLOAT_EQ(cameraOf(own).tanHalfX / cameraOf(own).tanHalfY, 2);
 }
 
-TEST(ViewMath, WithoutAPreviousViewTheCameraStandsStill) {
-    View view = perspectiveView(0.1f, 0);
-    EXPECT_EQ(cameraOf(view).previousClipFromWorld, cameraOf(view).clipFromWorld);
-    view.previousViewFromWorld = lookingFrom({0, 0, 1}, {0, 0, 0}).viewFromWorld;
-    EXPECT_EQ(cameraOf(view).previousClipFromWorld,
-              cameraOf(view).clipFromView * view.previousViewFromWorld);
-}
-
 TEST(ViewMath, BadViewsAreErrors) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinity = std::numeric_limits<float>::infinity();
@@ -178,7 +170,6 @@ TEST(ViewMath, BadViewsAreErrors) {
     EXPECT_TRUE(refused(p, [&](View& v) { v.farPlane = infinity; }));
     EXPECT_TRUE(refused(p, [&](View& v) { v.aspect = nan; }));
     EXPECT_TRUE(refused(p, [&](View& v) { v.aspect = infinity; }));
-    EXPECT_TRUE(refused(p, [&](View& v) { v.previousViewFromWorld[2][2] = nan; }));
     EXPECT_TRUE(refused(o, [&](View& v) { v.orthoHalfHeight = 0; }));
     EXPECT_TRUE(refused(o, [&](View& v) { v.orthoHalfHeight = nan; }));
     EXPECT_TRUE(refused(o, [&](View& v) { v.nearPlane = nan; }));

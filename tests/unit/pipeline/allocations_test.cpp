@@ -29,13 +29,13 @@ TEST(Allocations, WarmFramesMakeNone) {
     }
 }
 
-TEST(Allocations, WarmFramesOfEveryShownImageMakeNone) {
-    for (uint32_t show = 0; show < uint32_t(ShownImage::count); ++show) {
+TEST(Allocations, WarmFramesOfEveryDebugViewMakeNone) {
+    for (uint32_t show = 0; show < uint32_t(DebugView::count); ++show) {
         const auto renderer = nullRenderer();
         RandomScene scene(*renderer, 2);
-        scene.settings.show = ShownImage(show);
+        scene.settings.debugView = DebugView(show);
         EXPECT_EQ(allocationsOfWarmFrames(*renderer, scene, {0, 320, 200}), 0u)
-            << toText(ShownImage(show));
+            << toText(DebugView(show));
     }
 }
 

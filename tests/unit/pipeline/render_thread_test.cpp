@@ -1,5 +1,5 @@
 // The render-thread mode with no GPU: the test's own thread serves, another one plays the game.
-#include "renderer/pipeline/frame_renderer.h"
+#include "renderer/pipeline/frame_pipeline.h"
 #include "renderer/rhi/threaded_device.h"
 #include "tests/support/frame_recorder.h"
 #include "tests/support/scenes/random_scene.h"
@@ -20,8 +20,8 @@ constexpr FrameTarget kTarget{0, 320, 200};
 // Cubes that come and go under a sun: frames that differ in commands and in data.
 class Cubes {
 public:
-    explicit Cubes(FrameRenderer& frames)
-        : frames_(frames), mesh_(*frames.geometry.create(makeCube().desc())) {}
+    explicit Cubes(FramePipeline& frames)
+        : frames_(frames), mesh_(*frames.stores.geometry.create(makeCube().desc())) {}
 
     void render(uint32_t frame) {
         Random random(frame);
@@ -35,14 +35,12 @@ public:
         input.instances = instances_;
         input.lighting.directional = {&sun, random.below(2)};
         input.settings.bloom = random.below(2);
-        FrameOutput output;
-        output.target = kTarget;
-        const auto rendered = frames_.render(input, output, {});
+        const auto rendered = frames_.render(input, kTarget, nullptr, {});
         EXPECT_TRUE(rendered) << rendered.error().text();
     }
 
 private:
-    FrameRenderer& frames_;
+    FramePipeline& frames_;
     MeshHandle mesh_;
     std::vector<Instance> instances_;
 };
@@ -51,7 +49,7 @@ std::vector<uint64_t> directFrames(uint32_t count) {
     FrameRecorder::Log log;
     FrameRecorder device(log);
     SerialJobs jobs;
-    FrameRenderer frames(device, jobs, {}, "");
+    FramePipeline frames(device, jobs, {}, "");
     Cubes cubes(frames);
     for (uint32_t i = 0; i < count; ++i) cubes.render(i);
     return log.frames;
@@ -65,7 +63,7 @@ TEST(RenderThread, AThousandFramesAreTheSameBytesInTheSameOrder) {
         FrameRecorder::Log log;
         ThreadedDevice device(std::make_unique<FrameRecorder>(log), inFlight);
         SerialJobs jobs;
-        FrameRenderer frames(device, jobs, {}, "");
+        FramePipeline frames(device, jobs, {}, "");
         std::thread game([&] {
             ASSERT_TRUE(device.enter());
             Cubes cubes(frames);

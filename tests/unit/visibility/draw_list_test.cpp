@@ -60,8 +60,9 @@ protected:
         settings.occlusionCulling = false;
         const ShadowCascades cascades = makeShadowCascades(
             camera, {vec3(0, -1, 0), 1, 256, 0, Aabb{vec3(-20), vec3(20)}});
+        LodMemory lods;
         Visibility::Inputs in{{{nullptr, &world}}, &geometry, &camera, 100, 100,
-                              &settings,           &cascades};
+                              &settings,           &cascades, &lods};
         visibility.gather(in, jobs, lists);
         buffer.clear();
         for (DrawList* list : {&lists.opaque, &lists.blended, &lists.movingEmission, &shadow()}) {

@@ -1,6 +1,7 @@
 #include "renderer/visibility/host_worlds.h"
 
 #include "renderer/materials/surface_variant.h"
+#include "renderer/visibility/view_motion.h"
 #include "tests/support/memory_device.h"
 #include "tests/support/random.h"
 #include "tests/support/scenes/shapes.h"
@@ -23,6 +24,7 @@ protected:
     HostWorlds worlds;
     WorldHandle handle = worlds.create();
     Random random{1};
+    ViewMotion motion;
 
     Instance at(const vec3& p) const {
         Instance instance;
@@ -37,6 +39,12 @@ protected:
         geometry.clearChanges();
         materials.clearChanges();
         world().prepare(geometry, materials, {}, jobs);
+    }
+    /// A frame of `motion`'s view.
+    void see() {
+        prepare();
+        motion.begin(handle, &world());
+        motion.commit();
     }
     InstanceHandle add(const Instance& instance) {
         InstanceHandle out;
@@ -58,28 +66,62 @@ protected:
     }
 };
 
-TEST_F(InstanceWorldTest, AnUpdateMovesFromWhereTheLastFrameHadIt) {
+TEST_F(InstanceWorldTest, AnUpdateMovesFromWhereTheViewSawIt) {
     const InstanceHandle one = add(at({0, 0, 0})), other = add(at({5, 0, 0}));
-    prepare();
-    const InstanceRecord& r = world().record(one.index());
-    EXPECT_FALSE(r.surfaceFlags & kMoving);
+    see();
+    EXPECT_FALSE(motion.moved(one.index()));
     ASSERT_TRUE(update(one, at({1, 0, 0})));
     ASSERT_TRUE(update(one, at({2, 0, 0})));
-    prepare();
-    EXPECT_TRUE(r.surfaceFlags & kMoving);
-    EXPECT_EQ(world().previousTransform(r)[3], vec3(0)) << "two updates in a frame are one step";
-    EXPECT_EQ(r.center(), vec3(2, 0, 0));
-    EXPECT_FALSE(world().record(other.index()).surfaceFlags & kMoving);
+    see();
+    ASSERT_TRUE(motion.moved(one.index()));
+    EXPECT_EQ(motion.previous(one.index())[3], vec3(0)) << "two updates in a frame are one step";
+    EXPECT_EQ(world().record(one.index()).center(), vec3(2, 0, 0));
+    EXPECT_FALSE(motion.moved(other.index()));
     ASSERT_TRUE(update(one, at({3, 0, 0})));
-    prepare();
-    EXPECT_EQ(world().previousTransform(r)[3], vec3(2, 0, 0));
-    prepare();
-    EXPECT_FALSE(r.surfaceFlags & kMoving) << "it stands still";
+    see();
+    EXPECT_EQ(motion.previous(one.index())[3], vec3(2, 0, 0));
+    see();
+    EXPECT_FALSE(motion.moved(one.index())) << "it stands still";
+}
+
+TEST_F(InstanceWorldTest, EachViewMeasuresFromItsOwnLastFrame) {
+    const InstanceHandle one = add(at({0, 0, 0}));
+    ViewMotion often, rarely;
+    const auto show = [&](ViewMotion& view, bool executed = true) {
+        prepare();
+        view.begin(handle, &world());
+        if (executed) view.commit();
+    };
+    show(often), show(rarely);
+    for (int step = 1; step <= 3; ++step) {
+        ASSERT_TRUE(update(one, at({float(step), 0, 0})));
+        show(often);
+        EXPECT_EQ(often.previous(one.index())[3], vec3(float(step - 1), 0, 0));
+    }
+    show(rarely, false);
+    EXPECT_EQ(rarely.previous(one.index())[3], vec3(0));
+    show(rarely);
+    EXPECT_EQ(rarely.previous(one.index())[3], vec3(0)) << "the frame before was not executed";
+    show(rarely);
+    EXPECT_FALSE(rarely.moved(one.index()));
+    ViewMotion late;
+    show(late);
+    EXPECT_FALSE(late.moved(one.index())) << "it never saw it elsewhere";
+}
+
+TEST_F(InstanceWorldTest, WhoMissesTooManyMovesFindsAllStanding) {
+    const InstanceHandle one = add(at({0, 0, 0}));
+    see();
+    for (int i = 1; i <= 10000; ++i) ASSERT_TRUE(update(one, at({float(i), 0, 0})));
+    EXPECT_LE(world().movesSince(world().moveCount() - 1).size(), 1u);
+    EXPECT_TRUE(world().movesSince(0).empty());
+    see();
+    EXPECT_FALSE(motion.moved(one.index()));
 }
 
 TEST_F(InstanceWorldTest, ANewInstanceDoesNotInheritTheMotionOfItsSlot) {
     const InstanceHandle old = add(at({0, 0, 0}));
-    prepare();
+    see();
     ASSERT_TRUE(update(old, at({1, 0, 0})));
     ASSERT_TRUE(worlds.remove(handle, {&old, 1}));
     Instance fresh = at({5, 0, 0});
@@ -87,10 +129,9 @@ TEST_F(InstanceWorldTest, ANewInstanceDoesNotInheritTheMotionOfItsSlot) {
     const InstanceHandle one = add(fresh);
     ASSERT_EQ(one.index(), old.index());
     ASSERT_TRUE(update(one, at({6, 0, 0})));
-    prepare();
-    const InstanceRecord& r = world().record(one.index());
-    ASSERT_TRUE(r.valid);
-    EXPECT_EQ(world().previousTransform(r)[3], vec3(5, 0, 0));
+    see();
+    ASSERT_TRUE(world().record(one.index()).valid);
+    EXPECT_EQ(motion.previous(one.index())[3], vec3(5, 0, 0));
 }
 
 TEST_F(InstanceWorldTest, OnlyWhatChangedGetsANewStamp) {

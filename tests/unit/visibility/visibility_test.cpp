@@ -24,6 +24,7 @@ protected:
     InstanceWorld world;
     Visibility visibility;
     Visibility::Lists lists;
+    LodMemory lods;
     FrameSettings settings;
 
     Instance& add(MeshHandle mesh, const vec3& at, float scale = 1) {
@@ -45,9 +46,12 @@ protected:
         const CameraMatrices camera = makeCamera({}, 16.0f / 9).value();
         const ShadowCascades cascades = makeShadowCascades(
             camera, {glm::normalize(vec3(-1, -2, -1)), 3, 512, 0, world.bounds()});
-        return visibility.gather(
-            {{{nullptr, &world}}, &geometry, &camera, 1280, 720, &settings, &cascades},
+        lods.begin({});
+        const Visibility::Counts counts = visibility.gather(
+            {{{nullptr, &world}}, &geometry, &camera, 1280, 720, &settings, &cascades, &lods},
             with ? *with : jobs, lists);
+        lods.commit();
+        return counts;
     }
     uint32_t lodAt(float distance) {
         instances.clear();

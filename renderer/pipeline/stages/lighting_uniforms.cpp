@@ -1,4 +1,4 @@
-#include "renderer/pipeline/lighting_uniforms.h"
+#include "renderer/pipeline/stages/lighting_uniforms.h"
 
 #include "interop/irradiance_volume.h"
 #include "renderer/shadows/second_suns.h"
@@ -14,12 +14,6 @@ interop::ViewUniforms makeViewUniforms(const CameraMatrices& camera) {
     u.cameraPosition = vec4(camera.position, camera.perspective ? 1 : 0);
     u.cameraForward = vec4(camera.forward, 0);
     return u;
-}
-
-int findSun(const Lighting& lighting) {
-    for (size_t i = 0; i < lighting.directional.size(); ++i)
-        if (lighting.directional[i].castsShadow) return int(i);
-    return -1;
 }
 
 namespace {

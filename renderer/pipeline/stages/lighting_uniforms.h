@@ -18,7 +18,4 @@ interop::LightingUniforms makeLightingUniforms(const CameraMatrices& camera,
                                                const GpuEnvironment* environment,
                                                const GpuIrradianceVolume* volume);
 
-/// Index of the first directional light that casts shadows, or -1.
-int findSun(const Lighting& lighting);
-
 }  // namespace rushlight

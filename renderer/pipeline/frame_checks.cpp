@@ -1,5 +1,4 @@
-// What a host may not hand over.
-#include "renderer/pipeline/frame_renderer.h"
+#include "renderer/pipeline/frame_checks.h"
 
 #include <cmath>
 #include <utility>
@@ -35,9 +34,8 @@ Result<void> checkAreaLights(std::span<const AreaLight> lights) {
     return {};
 }
 
-}  // namespace
-
-Result<void> FrameRenderer::checkPatterns(std::span<const PunctualLight> lights) const {
+Result<void> checkPatterns(std::span<const PunctualLight> lights,
+                           const LightPatternStore& lightPatterns) {
     const auto wrong = [](size_t index, const char* what) {
         return fail("point or spot light " + std::to_string(index), what, ErrorKind::wrongUse);
     };
@@ -53,11 +51,13 @@ Result<void> FrameRenderer::checkPatterns(std::span<const PunctualLight> lights)
     return {};
 }
 
-Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutput& output) const {
+}  // namespace
+
+Result<void> checkFrame(const FrameInput& input, const FrameTarget& target, const Stores& stores) {
     const auto wrong = [](const char* object, const std::string& what) {
         return fail(object, what, ErrorKind::wrongUse);
     };
-    const uint32_t w = output.target.width, h = output.target.height;
+    const uint32_t w = target.width, h = target.height;
     if (w == 0 || h == 0 || w > kMaxSide || h > kMaxSide)
         return wrong("frame target", "its size is " + std::to_string(w) + "x" + std::to_string(h) +
                                          "; each side must be 1 to 16,384 pixels.");
@@ -78,9 +78,9 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
                            glm::length(light.direction) + light.range + light.innerConeAngle +
                            light.outerConeAngle + light.radius + light.shadowNear))
             return wrong("lighting", "a point or spot light is not finite.");
-    if (auto ok = checkPatterns(lighting.punctual); !ok) return ok;
+    if (auto ok = checkPatterns(lighting.punctual, stores.lightPatterns); !ok) return ok;
     if (auto ok = checkAreaLights(lighting.area); !ok) return ok;
-    if (input.world && !worlds.find(input.world))
+    if (input.world && !stores.worlds.find(input.world))
         return wrong("frame", "its world is a stale handle.");
     for (const auto& [name, value] :
          {std::pair("lodPixelError", input.settings.lodPixelError),
@@ -89,14 +89,14 @@ Result<void> FrameRenderer::checkInput(const FrameInput& input, const FrameOutpu
         if (!(value >= 0) || !std::isfinite(value))
             return wrong("settings", std::string(name) + " is " + std::to_string(value) +
                                          "; it must be finite and not negative.");
-    if (lighting.environment && !environments.find(lighting.environment))
+    if (lighting.environment && !stores.environments.find(lighting.environment))
         return wrong("lighting", "the environment is a stale handle.");
     if (auto ok = checkReflectionProbes(lighting.reflectionProbes); !ok) return ok;
     for (size_t i = 0; i < lighting.reflectionProbes.size(); ++i)
-        if (!environments.find(lighting.reflectionProbes[i].environment))
+        if (!stores.environments.find(lighting.reflectionProbes[i].environment))
             return fail("reflection probe " + std::to_string(i),
                         "its environment is none or a stale handle.", ErrorKind::wrongUse);
-    if (lighting.irradianceVolume && !irradianceVolumes.find(lighting.irradianceVolume))
+    if (lighting.irradianceVolume && !stores.irradianceVolumes.find(lighting.irradianceVolume))
         return wrong("lighting", "the irradiance volume is a stale handle.");
     if (!std::isfinite(glm::length(lighting.ambientSky) + glm::length(lighting.ambientGround) +
                        glm::length(lighting.backgroundColor) + lighting.environmentRotation +

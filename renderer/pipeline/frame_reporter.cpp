@@ -1,4 +1,4 @@
-#include "renderer/pipeline/frame_renderer.h"
+#include "renderer/pipeline/frame_reporter.h"
 
 #include <algorithm>
 #include <chrono>
@@ -36,27 +36,28 @@ void takeTexels(const ReadbackImage* image, std::vector<std::byte>& texels) {
 
 }  // namespace
 
-void FrameRenderer::fillReport(const FrameInput& input) {
+void FrameReporter::noteBuilt(const Built& built) {
     FrameReport& r = report_;
-    r.frameNumber = frameNumber_;
+    r.frameNumber = built.frame;
     r.instances = r.rejected = 0;
-    for (const InstanceWorld* world : frameWorlds_.worlds)
+    for (const InstanceWorld* world : built.worlds->worlds)
         if (world) {
             r.instances += world->count();
             r.rejected += world->rejected();
         }
-    r.visible = counts_.visible;
-    r.culledSmall = counts_.culledSmall;
-    r.culledOcclusion = counts_.culledOcclusion;
+    r.visible = built.visibility.visible;
+    r.culledSmall = built.visibility.culledSmall;
+    r.culledOcclusion = built.visibility.culledOcclusion;
     r.culledFrustum = r.instances - r.rejected - r.visible - r.culledSmall - r.culledOcclusion;
-    const Lighting& l = input.lighting;
+    const Lighting& l = built.input->lighting;
     r.lights = uint32_t(l.directional.size() + l.punctual.size() + l.area.size());
-    r.lightsVisible = uint32_t(input.lighting.directional.size()) + clusters_.visibleLights;
-    r.shadowViewsDrawn = shadows_.drawn + shadowSchedule_.drawn();
-    r.shadowViewsCached = shadows_.cached + shadowSchedule_.cached();
-    r.shadowLights = shadowLightCounts_.lights;
-    r.shadowLightsReduced = shadowLightCounts_.reduced;
-    r.shadowLightsWithout = shadowLightCounts_.without;
+    r.lightsVisible = uint32_t(l.directional.size()) + built.lightsVisible;
+    const ShadowStage::Outputs& shadows = *built.shadows;
+    r.shadowViewsDrawn = shadows.drawn;
+    r.shadowViewsCached = shadows.cached;
+    r.shadowLights = shadows.lights.lights;
+    r.shadowLightsReduced = shadows.lights.reduced;
+    r.shadowLightsWithout = shadows.lights.without;
     if (r.rejected > 0 && !warnedRejected_) {
         warnedRejected_ = true;
         log_(LogLevel::warning,
@@ -66,26 +67,29 @@ void FrameRenderer::fillReport(const FrameInput& input) {
     }
 }
 
-std::vector<InstanceFacts> FrameRenderer::describeInstances() const {
+std::vector<InstanceFacts> describeInstances(const Stores& stores, const ViewState& view) {
     std::vector<InstanceFacts> all;
-    for (const InstanceWorld* world : {worlds.find(lastWorld_), &frameInstances_}) {
+    const std::array worlds = {stores.worlds.find(view.lastWorld()), &view.instances};
+    for (uint32_t w = 0; w < worlds.size(); ++w) {
+        const InstanceWorld* world = worlds[w];
         if (!world) continue;
         world->forEach([&](uint32_t slot, const InstanceRecord& record) {
             InstanceFacts& facts = all.emplace_back();
             facts.instance = {record.worldFromLocal, record.mesh,
                               record.material,       record.id,
                               record.instanceFlags,  record.previousTransform};
-            facts.kept = world != &frameInstances_;
+            facts.kept = w == 0;
             facts.index = slot;
             facts.rejected = !record.valid;
-            facts.staleMaterial = !materials.find(record.material);
+            facts.staleMaterial = !stores.materials.find(record.material);
             facts.bounds = record.box;
-            const GpuMesh* mesh = geometry.find(record.mesh);
+            const GpuMesh* mesh = stores.geometry.find(record.mesh);
             facts.staleMesh = !mesh;
             facts.notFinite = facts.rejected && mesh && !facts.staleMaterial;
             if (!mesh) return;
             facts.lodCount = uint8_t(mesh->lodCount);
-            facts.lod = uint8_t(std::min<uint32_t>(record.cameraLod, mesh->lodCount - 1));
+            const uint32_t lod = view.lods.last(FrameWorlds::object(w, slot), record.stamp);
+            facts.lod = uint8_t(std::min(lod, mesh->lodCount - 1));
             facts.triangles = mesh->lods[facts.lod].indexCount / 3;
             facts.closed = mesh->closed;
         });
@@ -93,26 +97,24 @@ std::vector<InstanceFacts> FrameRenderer::describeInstances() const {
     return all;
 }
 
-void FrameRenderer::describePasses(SubmittedFrame& frame) const {
-    frame.frameNumber = frameNumber_;
-    resizeKeepingMemory(frame.passes, frame.sparePasses, plan_.keptPassCount());
-    for (uint32_t i = 0; i < plan_.keptPassCount(); ++i) {
+void FrameReporter::describePasses(const FramePlan& plan, SubmittedFrame& frame) {
+    resizeKeepingMemory(frame.passes, frame.sparePasses, plan.keptPassCount());
+    for (uint32_t i = 0; i < plan.keptPassCount(); ++i) {
         PassReport& pass = frame.passes[i];
-        pass.name = plan_.passName(i);
-        pass.bytesPerPixel = plan_.passBytesPerPixel(i);
+        pass.name = plan.passName(i);
+        pass.bytesPerPixel = plan.passBytesPerPixel(i);
         pass.reads.clear();
         pass.writes.clear();
-        plan_.forEachRead(i, [&](const char* name) { pass.reads.push_back(name); });
+        plan.forEachRead(i, [&](const char* name) { pass.reads.push_back(name); });
         pass.images.clear();
-        plan_.forEachWrite(i, [&](const PassImage& image) {
+        plan.forEachWrite(i, [&](const PassImage& image) {
             pass.writes.push_back(image.name);
             pass.images.push_back(image);
         });
     }
 }
 
-const FrameReport& FrameRenderer::report() {
-    const SubmittedFrame* frame = submitted_.newestExecuted(device_.pendingFrames());
+const FrameReport& FrameReporter::report(const SubmittedFrame* frame) {
     FrameReport& r = report_;
     if (!frame) return r;
     const ExecutionReport& execution = frame->execution;
@@ -129,7 +131,7 @@ const FrameReport& FrameRenderer::report() {
     r.draws = 0;
     r.triangles = 0;
     r.gpuMs = 0;
-    resizeKeepingMemory(r.passes, sparePassReports_, frame->passes.size());
+    resizeKeepingMemory(r.passes, sparePasses_, frame->passes.size());
     for (size_t i = 0; i < frame->passes.size(); ++i) {
         PassReport& pass = r.passes[i];
         static const PassExecution kNotExecuted;  // the device was lost
