@@ -27,3 +27,11 @@ target_link_libraries(render_thread_gl_test PRIVATE
   rushlight_renderer rushlight_gl_backend Threads::Threads ${EGL_LIBRARY} GTest::gtest_main
   rushlight_options)
 gtest_discover_tests(render_thread_gl_test)
+
+add_executable(views_gl_test
+  frame/views_gl_test.cpp
+  ../support/gl/test_context.cpp
+  ../support/scenes/random_scene.cpp)
+target_link_libraries(views_gl_test PRIVATE
+  rushlight_renderer ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
+gtest_discover_tests(views_gl_test PROPERTIES TIMEOUT 300)

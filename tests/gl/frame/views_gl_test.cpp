@@ -1,0 +1,151 @@
+// Views that are rendered in one step do not disturb each other, and one whose frame fails
+// remembers what it remembered before.
+#include "tests/support/gl/test_context.h"
+#include "tests/support/random.h"
+#include "tests/support/scenes/random_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <memory>
+
+namespace rushlight {
+namespace {
+
+constexpr uint32_t kSteps = 8;
+
+struct Step {
+    std::vector<uint8_t> pixels;
+    std::vector<uint64_t> hashes;  ///< of all passes
+    bool operator==(const Step&) const = default;
+};
+
+/// A world in which something moves at each step, as two cameras see it: of different sizes,
+/// exposures, shadows and ways, one with a picture at every step and one at every second.
+class Stage {
+public:
+    explicit Stage(GlLoadFunction load) {
+        RendererDesc desc;
+        desc.loadGl = load;
+        desc.validateCommands = true;
+        renderer = std::move(Renderer::create(desc).value());
+        scene = std::make_unique<RandomScene>(*renderer, 12);
+        world = renderer->createWorld();
+        moving.assign(scene->instances.begin(), scene->instances.begin() + 40);
+        for (Instance& instance : moving) instance.flags &= ~uint32_t(kInstanceMoving);
+        handles.resize(moving.size());
+        EXPECT_TRUE(renderer->addInstances(world, moving, handles));
+        views = {ViewHandle{}, renderer->createView()};
+    }
+    void move(uint32_t step) {
+        Random random(step + 1);
+        for (Instance& instance : moving)
+            if (random.below(3) == 0) instance.worldFromLocal[3] += random.vector(-0.2f, 0.2f);
+        EXPECT_TRUE(renderer->updateInstances(world, handles, moving));
+    }
+    FrameInput input(uint32_t which, uint32_t step) {
+        FrameInput frame = scene->frame(which ? 7 * step : step);
+        frame.view.state = views[which];
+        frame.world = world;
+        frame.settings.autoExposure = true;
+        frame.settings.deltaTime = 0.1f;
+        frame.settings.lightShadows = true;
+        frame.settings.shadowAtlasSize = 1024;
+        frame.settings.shadowTileSize = 256;
+        if (which) frame.settings.shadowCascades = 2;
+        for (PunctualLight& light : scene->lights) light.castsShadow = true;
+        return frame;
+    }
+    Step render(uint32_t which, uint32_t step) {
+        const uint32_t width = which ? 96 : 160, height = which ? 128 : 90;
+        const auto ticket = renderer->renderOffscreen(input(which, step), width, height,
+                                                      CaptureKind::display, {.hashPasses = true});
+        CapturedImage image;
+        EXPECT_TRUE(ticket && renderer->takeCapture(*ticket, true, image));
+        Step result{image.rgba8, {}};
+        for (const PassReport& pass : renderer->report().passes)
+            result.hashes.insert(result.hashes.end(), pass.hashes.begin(), pass.hashes.end());
+        return result;
+    }
+
+    std::unique_ptr<Renderer> renderer;
+    std::unique_ptr<RandomScene> scene;
+    WorldHandle world;
+    std::vector<Instance> moving;
+    std::vector<InstanceHandle> handles;
+    std::array<ViewHandle, 2> views;
+};
+
+bool shows(uint32_t which, uint32_t step) { return which == 0 || step % 2 == 0; }
+
+std::vector<Step> alone(GlLoadFunction load, uint32_t which) {
+    Stage stage(load);
+    std::vector<Step> steps;
+    for (uint32_t step = 0; step < kSteps; ++step) {
+        stage.move(step);
+        if (shows(which, step)) steps.push_back(stage.render(which, step));
+    }
+    return steps;
+}
+
+class Views : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(context.valid()) << "no surfaceless EGL context with OpenGL 4.5";
+    }
+    TestContext context;
+};
+
+TEST_F(Views, InOneStepGiveTheBytesOfEachAlone) {
+    const std::array expected = {alone(&TestContext::load, 0), alone(&TestContext::load, 1)};
+    ASSERT_NE(expected[0].back(), expected[0].front());
+    Stage stage(&TestContext::load);
+    EnvironmentHandle captured;
+    std::array<std::vector<Step>, 2> steps;
+    for (uint32_t step = 0; step < kSteps; ++step) {
+        stage.move(step);
+        for (uint32_t which : {0u, 1u})
+            if (shows(which, step)) steps[which].push_back(stage.render(which, step));
+        if (step % 3 == 0) {
+            const FrameInput around = stage.input(0, step);
+            const auto made = stage.renderer->captureEnvironment(around, vec3(step, 1, 0),
+                                                                 {.size = 16});
+            ASSERT_TRUE(made) << made.error().text();
+            stage.renderer->destroy(*made);
+        }
+    }
+    for (uint32_t which : {0u, 1u}) {
+        ASSERT_EQ(steps[which].size(), expected[which].size());
+        for (size_t i = 0; i < expected[which].size(); ++i)
+            EXPECT_EQ(steps[which][i], expected[which][i]) << "view " << which << ", frame " << i;
+    }
+}
+
+TEST_F(Views, AFrameThatFailsLeavesItsViewAsItWas) {
+    const std::vector<Step> expected = alone(&TestContext::load, 0);
+    Stage stage(&TestContext::load);
+    std::vector<Step> steps;
+    for (uint32_t step = 0; step < kSteps; ++step) {
+        stage.move(step);
+        FrameInput broken = stage.input(0, step + 20);
+        OverlayBatch batch;
+        batch.indexCount = 1 << 20;  // found out after everything else was planned
+        broken.overlay.batches = {&batch, 1};
+        EXPECT_FALSE(stage.renderer->renderOffscreen(broken, 160, 90, CaptureKind::display));
+        steps.push_back(stage.render(0, step));
+    }
+    for (size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(steps[i], expected[i]) << i;
+}
+
+TEST_F(Views, AStaleOneIsAnError) {
+    Stage stage(&TestContext::load);
+    stage.renderer->destroy(stage.views[1]);
+    const auto ticket = stage.renderer->renderOffscreen(stage.input(1, 0), 16, 16,
+                                                        CaptureKind::display);
+    ASSERT_FALSE(ticket);
+    EXPECT_EQ(ticket.error().kind, ErrorKind::wrongUse);
+    EXPECT_NE(ticket.error().text().find("stale"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rushlight
