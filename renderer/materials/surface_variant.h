@@ -30,6 +30,9 @@ enum SurfaceFlags : uint32_t {
     kTransmissionTexture = 1u << 17,
 };
 inline constexpr uint32_t kSurfaceFlagCount = 18;
+// Beside those, of an object as a caster. They change no shader by themselves.
+inline constexpr uint32_t kClosedMesh = 1u << 30;
+inline constexpr uint32_t kCasts = 1u << 31;
 inline constexpr uint32_t kSurfaceFlags = (1u << kSurfaceFlagCount) - 1;
 inline constexpr uint32_t kTextureFlags = kBaseColorTexture | kMetallicRoughnessTexture |
                                           kNormalTexture | kOcclusionTexture | kEmissiveTexture |

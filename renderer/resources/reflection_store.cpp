@@ -135,8 +135,8 @@ Result<void> ReflectionStore::prepare(std::span<const ReflectionProbe> probes,
     records_.clear();
     if (probes.empty()) return {};
     chooseReflectionProbes(probes, camera, chosen_);
-    if (chosen_.empty()) return {};
-    if (auto ok = grow(uint32_t(chosen_.size())); !ok) return ok;
+    // Where none is in view the shaders are the same and find a count of 0.
+    if (auto ok = grow(std::max(1u, uint32_t(chosen_.size()))); !ok) return ok;
     ++use_;
     // First what is there already, so that what is new does not take its place.
     for (const uint32_t i : chosen_)

@@ -63,7 +63,7 @@ void ShadowSchedule::chooseDraws(const Inputs& in) {
     draws_.clear();
     glassDraws_.clear();
     for (auto& requests : requests_) requests.clear();
-    hasGlass_ = std::ranges::any_of(in.faces, seesGlass);
+    hasGlass_ = in.hasGlass;
     drawn_ = cached_ = 0;
     for (ShadowFace* face : in.faces) {
         const bool drawsGlass = hasGlass_ && chooseGlass(in, *face);

@@ -36,13 +36,13 @@ public:
         const GeometryStore* geometry = nullptr;
         std::span<ShadowFace* const> faces;
         bool caching = true;
+        bool hasGlass = false;  ///< something in the worlds colours light
     };
 
     /// Notes in the faces what will have been drawn. The lists are arranged.
     void plan(const Inputs& inputs, JobSystem& jobs);
     std::span<ShadowDraw> draws() { return draws_; }
-    /// Whether any face sees what colours light; without, the map of colours is left as it is and
-    /// not to be read.
+    /// Inputs::hasGlass: without it the map of colours is left as it is and not to be read.
     bool hasGlass() const { return hasGlass_; }
     std::span<GlassDraw> glassDraws() { return glassDraws_; }
     uint32_t drawn() const { return drawn_; }  ///< faces of which anything is drawn

@@ -55,8 +55,8 @@ void ShadowVisibility::testBlock(const Inputs& in, const BlockVisit& at,
             const uint32_t slot = index.slotAt(block * kBlockSize +
                                                uint32_t(std::countr_zero(seen)));
             const InstanceRecord& r = world.record(slot);
-            const bool glass = coloursLight(r);
-            if ((!glass && !castsShadow(r)) || !isWithin(view, r.box)) continue;
+            const bool glass = coloursLight(r.surfaceFlags);
+            if ((!glass && !castsShadow(r.surfaceFlags)) || !isWithin(view, r.box)) continue;
             const float texels = view.scale.at(r.center(), r.radius);
             if (2 * r.radius * texels < view.scale.minSize) continue;
             const GpuMesh& mesh = *in.geometry->find(r.mesh);

@@ -46,6 +46,13 @@ struct FrameWorlds {
         world(object).prefetch(object & 0x7fffffff);
     }
     Aabb bounds() const;  ///< of everything; empty when there is nothing
+    /// f(flags) of every combination that InstanceWorld::variants() has; one may come twice.
+    template <class F>
+    void forEachVariant(F&& f) const {
+        for (const InstanceWorld* world : worlds)
+            if (world)
+                for (uint32_t flags : world->variants()) f(flags);
+    }
 };
 
 uint64_t opaqueKey(uint32_t flags, uint32_t textureSet, uint32_t mesh, uint32_t lod, float depth);

@@ -204,6 +204,8 @@ bool InstanceWorld::resolve(InstanceRecord& record, const GeometryStore& geometr
     if (!mesh->hasTangents) flags &= ~uint32_t(kNormalTexture);
     if (glm::determinant(mat3(record.worldFromLocal)) < 0) flags |= kMirrored;
     if (moving) flags |= kMoving;
+    if (mesh->closed) flags |= kClosedMesh;
+    if (record.instanceFlags & kInstanceCastsShadow) flags |= kCasts;
     record.surfaceFlags = flags;
     return changed;
 }
@@ -244,6 +246,7 @@ void InstanceWorld::place() {
         uint32_t& at = places_[change.slot];
         changing_[change.slot] = 0;
         const bool valid = records_[change.slot].valid;
+        if (valid) noteVariant(records_[change.slot]);
         if (at == kNowhere) {
             if (valid) fresh_.push_back(change.slot);
             continue;
@@ -274,6 +277,11 @@ void InstanceWorld::place() {
         places_[slot] = moving.append({slot, records_[slot].box}) | kMovingBit;
     moving.refit();
     if (moving.isWorn() || moving.positionCount() > 256 + 2 * moving.size()) rebuild(kMovingIndex);
+}
+
+void InstanceWorld::noteVariant(const InstanceRecord& record) {
+    if (std::ranges::find(variants_, record.surfaceFlags) == variants_.end())
+        variants_.push_back(record.surfaceFlags);
 }
 
 void InstanceWorld::rebuild(Index which) {

@@ -96,7 +96,9 @@ public:
     uint32_t rejected() const {
         return count_ - indices_[kStillIndex].size() - indices_[kMovingIndex].size();
     }
-    Aabb bounds() const;     ///< of all that are not rejected
+    Aabb bounds() const;  ///< of all that are not rejected
+    /// Every combination of surface flags, kClosedMesh and kCasts that an object has or had.
+    std::span<const uint32_t> variants() const { return variants_; }
     uint64_t bytes() const;  ///< memory held
 
 private:
@@ -118,6 +120,7 @@ private:
     bool resolve(InstanceRecord& record, const GeometryStore&, const MaterialStore&) const;
     void place();
     void rebuild(Index index);
+    void noteVariant(const InstanceRecord& record);
 
     std::vector<InstanceRecord> records_;
     std::vector<uint32_t> meshes_, materials_;  ///< handle indices by slot, to be searched quickly
@@ -127,6 +130,7 @@ private:
     std::vector<uint32_t> free_;
     std::vector<Change> changes_;
     std::vector<uint32_t> fresh_, movers_;
+    std::vector<uint32_t> variants_;
     std::vector<InstanceMove> moves_;
     uint64_t forgottenMoves_ = 0;
     std::span<const mat4x3> previous_;  ///< of what assign() set, until prepare() is called again

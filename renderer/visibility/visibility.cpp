@@ -88,8 +88,8 @@ void Visibility::addToCamera(const Inputs& in, uint32_t object, const InstanceRe
 
 void Visibility::addToCascade(const Inputs& in, uint32_t cascade, uint32_t object,
                               const InstanceRecord& r, Chunk& chunk) const {
-    const bool glass = coloursLight(r);
-    if (!glass && !castsShadow(r)) return;
+    const bool glass = coloursLight(r.surfaceFlags);
+    if (!glass && !castsShadow(r.surfaceFlags)) return;
     const DetailScale& scale = cascadeScales_[cascade];
     if (2 * r.radius * scale.pixelsPerMetre < scale.minSize) return;
     if (in.settings->frustumCulling &&

@@ -147,7 +147,9 @@ void LightClusters::build(const CameraMatrices& camera, uint32_t width, uint32_t
     volumes_.clear();
     droppedReferences = 0;
     gather(camera, inputs);
-    recordWords = visibleOfClass[size_t(LightClass::plain)] == visibleLights ? 1 : 2;
+    const bool onlyPlain = !hasClass[size_t(LightClass::modulated)] &&
+                           !hasClass[size_t(LightClass::area)];
+    recordWords = onlyPlain ? 1 : 2;
     chooseResolution(camera, width, height);
     clusters.assign(size_t(tilesX) * tilesY * slices * recordWords, 0);
     if (visible_.empty()) return;
@@ -162,17 +164,21 @@ void LightClusters::build(const CameraMatrices& camera, uint32_t width, uint32_t
 void LightClusters::gather(const CameraMatrices& camera, const ClusterInputs& inputs) {
     visible_.clear();
     visibleOfClass = {};
-    visiblePatterns = 0;
+    hasClass = {};
+    hasPatterns = false;
     nearest_ = std::numeric_limits<float>::max();
     farthest_ = 0;
     for (uint32_t i = 0; i < inputs.punctual.size(); ++i) {
-        const bool shadowed = !inputs.shadowRecords.empty() && inputs.shadowRecords[i] >= 0;
-        const bool pattern = inputs.patterns && hasPattern(inputs.punctual[i]);
-        const bool visible = addIfVisible(
-            camera, i, shadowed || pattern ? LightClass::modulated : LightClass::plain,
-            volumeOf(inputs.punctual[i]));
-        visiblePatterns += visible && pattern;
+        const PunctualLight& light = inputs.punctual[i];
+        const bool shadowed = (inputs.shadowed && light.castsShadow) ||
+                              (!inputs.shadowRecords.empty() && inputs.shadowRecords[i] >= 0);
+        const bool pattern = inputs.patterns && hasPattern(light);
+        const LightClass own = shadowed || pattern ? LightClass::modulated : LightClass::plain;
+        hasClass[size_t(own)] = true;
+        hasPatterns |= pattern;
+        addIfVisible(camera, i, own, volumeOf(light));
     }
+    hasClass[size_t(LightClass::area)] = !inputs.area.empty();
     for (uint32_t i = 0; i < inputs.area.size(); ++i)
         addIfVisible(camera, i, LightClass::area, volumeOf(inputs.area[i]));
     visibleLights = uint32_t(visible_.size());

@@ -71,6 +71,9 @@ struct ClusterInputs {
     std::span<const AreaLight> area;
     std::span<const int32_t> areaShadowRecords = {};  ///< as shadowRecords
     const LightPatternStore* patterns = nullptr;      ///< null: no light has a profile or a cookie
+    /// Lights that cast are listed with those that have shadow records, whether or not they are in
+    /// view and found room: which classes there are follows from the lights alone.
+    bool shadowed = false;
 };
 
 /// A froxel's record: one word in frames of plain lights alone, else two. Its indices are sorted by
@@ -99,7 +102,8 @@ struct LightClusters {
 
     uint32_t visibleLights = 0;
     std::array<uint32_t, kLightClasses> visibleOfClass{};
-    uint32_t visiblePatterns = 0;  ///< lights with a profile or a cookie
+    std::array<bool, kLightClasses> hasClass{};  ///< among all lights, in view or not
+    bool hasPatterns = false;                    ///< some have a profile or a cookie
     /// Lights left out of lists: 0 unless over 1,023 of a class reach one froxel or the lists hold
     /// over 4,194,303 together.
     uint32_t droppedReferences = 0;

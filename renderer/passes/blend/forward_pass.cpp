@@ -21,20 +21,33 @@ ForwardPass::ForwardPass(Device& device)
                          .depthWrite = false,
                          .blend = BlendMode::additive}) {}
 
+Result<void> ForwardPass::prepare(const FrameWorlds& worlds,
+                                  std::span<const std::string_view> emission) {
+    const auto blended = [](uint32_t flags) {
+        return flags & kBlend ? flags : SurfacePipelines::kNoPipeline;
+    };
+    const auto movingEmissive = [](uint32_t flags) {
+        constexpr uint32_t kBoth = kMoving | kEmissive;
+        return (flags & (kBoth | kBlend)) == kBoth ? flags : SurfacePipelines::kNoPipeline;
+    };
+    if (auto ok = blend_.prepare(worlds, blended, defines_); !ok) return ok;
+    return emission_.prepare(worlds, movingEmissive, emission);
+}
+
 Result<ForwardPass::Outputs> ForwardPass::add(FramePlan& plan, const Inputs& inputs) {
     Outputs out{inputs.radiance};
-    if (inputs.blended->batches.empty() && inputs.movingEmissive->batches.empty()) return out;
     defines_.clear();
     defines_.push_back("FORWARD");
     inputs.lighting.features.appendDefines(defines_);
     if (inputs.decals) defines_.push_back("DECALS");
     if (inputs.fog) defines_.push_back("FOG");
-    if (auto ok = blend_.assign(*inputs.blended, defines_); !ok) return tl::unexpected(ok.error());
     constexpr std::string_view kEmission[] = {"FORWARD", "EMISSION_ONLY", "DIRECTIONAL_LIGHTS 0",
                                               "FOG"};
-    if (auto ok = emission_.assign(*inputs.movingEmissive,
-                                   std::span(kEmission).first(inputs.fog ? 4 : 3));
-        !ok)
+    const auto emission = std::span(kEmission).first(inputs.fog ? 4 : 3);
+    if (auto ok = prepare(*inputs.worlds, emission); !ok) return tl::unexpected(ok.error());
+    if (inputs.blended->batches.empty() && inputs.movingEmissive->batches.empty()) return out;
+    if (auto ok = blend_.assign(*inputs.blended, defines_); !ok) return tl::unexpected(ok.error());
+    if (auto ok = emission_.assign(*inputs.movingEmissive, emission); !ok)
         return tl::unexpected(ok.error());
     const PassTargets::Color colors[] = {{inputs.radiance, LoadOp::keep}};
     const ImageId reads[] = {inputs.lighting.shadowMap, inputs.lighting.shadowAtlas,

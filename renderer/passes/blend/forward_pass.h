@@ -20,7 +20,8 @@ public:
         ImageId radiance;
         ImageId depth;
         DecalBindings decals;
-        ImageId fog;  ///< FogPass::Outputs; null without fog
+        ImageId fog;                          ///< FogPass::Outputs; null without fog
+        const FrameWorlds* worlds = nullptr;  ///< whose objects may be drawn
     };
     struct Outputs {
         ImageId radiance;
@@ -30,6 +31,8 @@ public:
     Result<Outputs> add(FramePlan& plan, const Inputs& inputs);
 
 private:
+    Result<void> prepare(const FrameWorlds& worlds, std::span<const std::string_view> emission);
+
     SurfacePipelines blend_;
     SurfacePipelines emission_;
     std::vector<std::string_view> defines_;

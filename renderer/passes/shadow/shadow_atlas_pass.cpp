@@ -1,6 +1,7 @@
 #include "renderer/passes/shadow/shadow_atlas_pass.h"
 
 #include "renderer/passes/fullscreen.h"
+#include "renderer/passes/shadow/caster_flags.h"
 #include "shaders/interop/bindings.h"
 
 #include <algorithm>
@@ -95,6 +96,8 @@ Result<ShadowAtlasPass::Outputs> ShadowAtlasPass::add(FramePlan& plan, const Inp
     const bool drawsLayer = std::ranges::any_of(
         in.draws, [](const ShadowDraw& draw) { return draw.layerCasters != nullptr; });
     if (auto ok = createPipelines(); !ok) return tl::unexpected(ok.error());
+    if (auto ok = pipelines_.prepare(*in.worlds, casterFlags); !ok)
+        return tl::unexpected(ok.error());
     for (const ShadowDraw& draw : in.draws)
         for (DrawList* list : {draw.layerCasters, draw.still, draw.moving})
             if (list)

@@ -24,7 +24,8 @@ public:
     struct Inputs {
         std::span<const ShadowDraw> draws;  ///< until the plan is recorded
         DrawBinder binder;
-        uint32_t size = 0;                    ///< texels a side
+        uint32_t size = 0;  ///< texels a side
+        const FrameWorlds* worlds = nullptr;
         ImageHistory* images = nullptr;       ///< the view's
         AtlasGenerations* history = nullptr;  ///< of the frame before; becomes this frame's
     };

@@ -1,6 +1,7 @@
 #include "renderer/passes/shadow/shadow_glass_pass.h"
 
 #include "engine/core/hash.h"
+#include "renderer/passes/shadow/caster_flags.h"
 #include "shaders/interop/bindings.h"
 
 #include <algorithm>
@@ -58,8 +59,7 @@ ShadowGlassPass::ShadowGlassPass(Device& device)
 
 Result<ShadowGlassPass::SunOutputs> ShadowGlassPass::addSun(FramePlan& plan, const SunInputs& in) {
     SunOutputs out;
-    if (std::ranges::all_of(in.views, [](const SunView& v) { return v.casters->items.empty(); }))
-        return out;
+    if (!in.hasGlass) return out;
     const PlanImage shape{"shadow-map-glass", Format::rgba16f,           in.resolution,
                           in.resolution,      uint32_t(in.views.size()), true};
     const auto image = in.images->get(shape);
@@ -67,6 +67,8 @@ Result<ShadowGlassPass::SunOutputs> ShadowGlassPass::addSun(FramePlan& plan, con
     auto& contents = in.history->of(*image);
     out.glass = plan.importImage(shape, image->texture);
     constexpr std::string_view kParallel[] = {"PARALLEL_LIGHT"};
+    if (auto ok = sunPipelines_.prepare(*in.worlds, glassCasterFlags, kParallel); !ok)
+        return tl::unexpected(ok.error());
     for (uint32_t i = 0; i < in.views.size(); ++i) {
         const SunView& view = in.views[i];
         const uint64_t content = contentOf(view);
@@ -120,6 +122,8 @@ void ShadowGlassPass::recordAtlas(const AtlasPayload& p, PassContext& context) {
 
 Result<ImageId> ShadowGlassPass::addAtlas(FramePlan& plan, const AtlasInputs& in) {
     if (auto ok = createClear(); !ok) return tl::unexpected(ok.error());
+    if (auto ok = atlasPipelines_.prepare(*in.worlds, glassCasterFlags); !ok)
+        return tl::unexpected(ok.error());
     const PlanImage shape{AtlasGenerations::kGlass, Format::rgba16f, in.size, in.size, 1, true};
     const auto image = in.images->get(shape);
     if (!image) return tl::unexpected(image.error());

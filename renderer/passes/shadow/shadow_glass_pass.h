@@ -26,11 +26,13 @@ public:
         uint32_t resolution = 0;
         DrawBinder binder;
         bool caching = true;
+        bool hasGlass = false;  ///< something in the worlds colours light
+        const FrameWorlds* worlds = nullptr;
         ImageHistory* images = nullptr;       ///< the view's
         SunShadowHistory* history = nullptr;  ///< of the frame before; becomes this frame's
     };
     struct SunOutputs {
-        ImageId glass;            ///< RGBA16F array; null where no view sees what colours light
+        ImageId glass;            ///< RGBA16F array; null without anything that colours light
         uint32_t drawnViews = 0;  ///< as bits; the others' casters need no data
     };
     struct AtlasInputs {
@@ -38,6 +40,7 @@ public:
         ImageId atlas;                     ///< drawn before
         uint32_t size = 0;
         DrawBinder binder;
+        const FrameWorlds* worlds = nullptr;
         ImageHistory* images = nullptr;       ///< the view's
         AtlasGenerations* history = nullptr;  ///< of the frame before; becomes this frame's
     };

@@ -1,7 +1,7 @@
 #include "renderer/passes/shadow/shadow_pass.h"
 
 #include "engine/core/hash.h"
-#include "renderer/materials/surface_variant.h"
+#include "renderer/passes/shadow/caster_flags.h"
 #include "shaders/interop/bindings.h"
 
 #include <cstring>
@@ -43,6 +43,8 @@ Result<ShadowPass::Outputs> ShadowPass::add(FramePlan& plan, const Inputs& input
     const PlanImage shape{"shadow-map", Format::depth32f, side, side, count, true};
     const auto image = inputs.images->get(shape);
     if (!image) return tl::unexpected(image.error());
+    if (auto ok = pipelines_.prepare(*inputs.worlds, casterFlags); !ok)
+        return tl::unexpected(ok.error());
     auto& contents = inputs.history->of(*image);
     Outputs out;
     out.map = plan.importImage(shape, image->texture);

@@ -37,6 +37,7 @@ public:
         uint32_t resolution = 0;
         DrawBinder binder;
         WorldHandle world;  ///< that the casters come from
+        const FrameWorlds* worlds = nullptr;
         bool caching = true;
         ImageHistory* images = nullptr;       ///< the view's
         SunShadowHistory* history = nullptr;  ///< of the frame before; becomes this frame's

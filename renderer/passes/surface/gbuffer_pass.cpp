@@ -1,5 +1,6 @@
 #include "renderer/passes/surface/gbuffer_pass.h"
 
+#include "renderer/materials/surface_variant.h"
 #include "shaders/interop/bindings.h"
 
 namespace rushlight {
@@ -12,6 +13,11 @@ GBufferPass::GBufferPass(Device& device)
 Result<GBufferPass::Outputs> GBufferPass::add(FramePlan& plan, const Inputs& inputs) {
     constexpr std::string_view kDecals[] = {"DECALS"};
     const std::span<const std::string_view> defines(kDecals, inputs.decals ? 1 : 0);
+    const auto opaque = [](uint32_t flags) {
+        return flags & kBlend ? SurfacePipelines::kNoPipeline : flags;
+    };
+    if (auto ok = pipelines_.prepare(*inputs.worlds, opaque, defines); !ok)
+        return tl::unexpected(ok.error());
     if (auto ok = pipelines_.assign(*inputs.draws, defines); !ok) return tl::unexpected(ok.error());
     const uint32_t w = inputs.width, h = inputs.height;
     Outputs out;

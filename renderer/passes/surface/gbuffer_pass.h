@@ -15,6 +15,7 @@ public:
         BufferRange viewUniforms;  ///< interop::ViewUniforms
         uint32_t width = 0, height = 0;
         DecalBindings decals;
+        const FrameWorlds* worlds = nullptr;  ///< whose objects may be drawn
     };
     struct Outputs {
         ImageId target0, target1, target2;  ///< RGBA8

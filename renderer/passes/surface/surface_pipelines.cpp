@@ -1,5 +1,6 @@
 #include "renderer/passes/surface/surface_pipelines.h"
 
+#include "engine/core/hash.h"
 #include "renderer/materials/surface_variant.h"
 #include "shaders/interop/bindings.h"
 
@@ -26,16 +27,35 @@ void DecalBindings::record(CommandBuffer& commands) const {
 Result<void> SurfacePipelines::assign(DrawList& list,
                                       std::span<const std::string_view> extraDefines) {
     for (DrawBatch& batch : list.batches) {
-        auto pipeline = find(batch, extraDefines);
+        auto pipeline = find(batch.surfaceFlags, extraDefines);
         if (!pipeline) return tl::unexpected(pipeline.error());
         batch.pipeline = *pipeline;
     }
     return {};
 }
 
-Result<PipelineHandle> SurfacePipelines::find(const DrawBatch& batch,
+Result<void> SurfacePipelines::prepare(const FrameWorlds& worlds,
+                                       uint32_t (*flagsOf)(uint32_t flags),
+                                       std::span<const std::string_view> extraDefines) {
+    uint64_t seen = 1;
+    worlds.forEachVariant([&](uint32_t flags) { seen = mixBits(seen + flags); });
+    for (std::string_view define : extraDefines)
+        seen = hashBytes(define.data(), define.size(), seen);
+    if (seen == prepared_) return {};
+    Result<void> result;
+    worlds.forEachVariant([&](uint32_t flags) {
+        const uint32_t own = flagsOf(flags);
+        if (!result || own == kNoPipeline) return;
+        if (const auto made = find(own & kSurfaceFlags, extraDefines); !made)
+            result = tl::unexpected(made.error());
+    });
+    if (result) prepared_ = seen;
+    return result;
+}
+
+Result<PipelineHandle> SurfacePipelines::find(uint32_t surfaceFlags,
                                               std::span<const std::string_view> extraDefines) {
-    const uint32_t flags = batch.surfaceFlags & desc_.usedFlags;
+    const uint32_t flags = surfaceFlags & desc_.usedFlags;
     const bool depthOnly = desc_.fragmentShader == "passes/shadow/depth.frag";
     const bool colorless = depthOnly || desc_.fragmentShader == "passes/shadow/shadow_glass.frag";
     const bool positionsOnly = depthOnly && !(flags & kAlphaMask);

@@ -44,17 +44,25 @@ public:
     /// pipelines.
     Result<void> assign(DrawList& list, std::span<const std::string_view> extraDefines = {});
 
+    /// Compiles what any object of the worlds may need, whether or not it is seen: a camera that
+    /// turns compiles nothing. `flagsOf` maps an object's flags to those of its pipeline here; 0
+    /// with kNoPipeline where it has none.
+    static constexpr uint32_t kNoPipeline = ~0u;
+    Result<void> prepare(const FrameWorlds& worlds, uint32_t (*flagsOf)(uint32_t flags),
+                         std::span<const std::string_view> extraDefines = {});
+
 private:
     struct Entry {
         uint32_t flags;
         std::vector<std::string_view> extraDefines;
         PipelineHandle pipeline;
     };
-    Result<PipelineHandle> find(const DrawBatch&, std::span<const std::string_view> extraDefines);
+    Result<PipelineHandle> find(uint32_t flags, std::span<const std::string_view> extraDefines);
 
     Device& device_;
     SurfacePipelineDesc desc_;
     std::vector<Entry> entries_;
+    uint64_t prepared_ = 0;  ///< hash of what prepare() last saw
 };
 
 }  // namespace rushlight

@@ -13,6 +13,7 @@ Result<BlendStage::Outputs> BlendStage::add(FrameContext& frame, const Inputs& i
     in.depth = inputs.surface->gbuffer.depth;
     in.decals = inputs.surface->decals;
     in.fog = inputs.screen->fog;
+    in.worlds = &frame.worlds;
     frame.drawn.push_back(in.blended);
     frame.drawn.push_back(in.movingEmissive);
     const auto forward = forwardPass_.add(frame.plan, in);

@@ -4,6 +4,16 @@
 #include "renderer/pipeline/stages/lighting_uniforms.h"
 
 namespace rushlight {
+namespace {
+
+// A buffer texture needs a range with something in it, even if nothing of it is looked up.
+template <class T>
+BufferRange appendSome(CommandBuffer& uploads, std::span<const T> values) {
+    const T none{};
+    return uploads.append(values.empty() ? std::span(&none, 1) : values);
+}
+
+}  // namespace
 
 LightingStage::LightingStage(Device& device)
     : gtaoPass_(device),
@@ -13,6 +23,8 @@ LightingStage::LightingStage(Device& device)
       cubeSampler_(trilinearClampSampler(device)),
       linearSampler_(linearClampSampler(device)) {}
 
+// Features follow from what the frame is given and not from what is in view, so that turning the
+// camera compiles nothing.
 LightingFeatures LightingStage::featuresOf(FrameContext& frame, const Inputs& inputs) const {
     const Lighting& lighting = frame.input.lighting;
     const ShadowStage::Outputs& shadows = *inputs.shadows;
@@ -22,19 +34,18 @@ LightingFeatures LightingStage::featuresOf(FrameContext& frame, const Inputs& in
     f.shadowCascades = inputs.views->cascades->count;
     f.secondSuns = others.count();
     f.secondCascades = others.cascadesOfEach();
-    const auto& ofClass = clusters_.visibleOfClass;
-    f.plainLights = ofClass[size_t(LightClass::plain)] > 0;
-    f.modulatedLights = ofClass[size_t(LightClass::modulated)] > 0;
-    f.areaLights = ofClass[size_t(LightClass::area)] > 0;
+    f.plainLights = clusters_.hasClass[size_t(LightClass::plain)];
+    f.modulatedLights = clusters_.hasClass[size_t(LightClass::modulated)];
+    f.areaLights = clusters_.hasClass[size_t(LightClass::area)];
     f.environment = frame.stores.environments.find(lighting.environment) != nullptr;
     f.hemisphere = lighting.ambientSky != vec3(0) || lighting.ambientGround != vec3(0);
     f.ambientReflections = frame.settings().ambientReflections;
     f.orthographic = !frame.camera.perspective;
     f.irradianceVolume = frame.stores.irradianceVolumes.find(lighting.irradianceVolume) != nullptr;
-    f.punctualShadow = !shadows.punctual.empty() && f.modulatedLights;
-    f.areaShadow = !shadows.area.empty() && f.areaLights;
-    f.lightPatterns = clusters_.visiblePatterns > 0;
-    f.reflectionProbes = !frame.stores.reflections.empty();
+    f.punctualShadow = shadows.punctualCast;
+    f.areaShadow = shadows.areaCast;
+    f.lightPatterns = clusters_.hasPatterns;
+    f.reflectionProbes = !lighting.reflectionProbes.empty();
     f.shadowFilter = frame.settings().shadowFilter;
     f.sunGlass = bool(shadows.sunGlass);
     f.atlasGlass = shadows.atlasGlass && (f.punctualShadow || f.areaShadow);
@@ -44,9 +55,9 @@ LightingFeatures LightingStage::featuresOf(FrameContext& frame, const Inputs& in
 void LightingStage::bindLights(FrameContext& frame, LightingBindings& b) const {
     if (b.features.clusteredLights()) {
         CommandBuffer& uploads = frame.uploads;
-        b.lights = uploads.append(std::span<const GpuLight>(clusters_.lights));
-        b.clusters = uploads.append(std::span<const uint32_t>(clusters_.clusters));
-        b.lightIndices = uploads.append(std::span<const uint16_t>(clusters_.indices));
+        b.lights = appendSome<GpuLight>(uploads, clusters_.lights);
+        b.clusters = appendSome<uint32_t>(uploads, clusters_.clusters);
+        b.lightIndices = appendSome<uint16_t>(uploads, clusters_.indices);
     }
     if (b.features.lightPatterns) {
         b.lightPatterns = frame.stores.lightPatterns.texture();
@@ -86,10 +97,10 @@ Result<LightingBindings> LightingStage::bind(FrameContext& frame, const Inputs& 
     Stores& stores = frame.stores;
     const Lighting& lighting = frame.input.lighting;
     const ShadowStage::Outputs& shadows = *inputs.shadows;
-    clusters_.build(
-        frame.camera, frame.width(), frame.height(),
-        {lighting.punctual, shadows.punctual, lighting.area, shadows.area, &stores.lightPatterns},
-        frame.jobs);
+    clusters_.build(frame.camera, frame.width(), frame.height(),
+                    {lighting.punctual, shadows.punctual, lighting.area, shadows.area,
+                     &stores.lightPatterns, shadows.punctualCast},
+                    frame.jobs);
     if (auto ok = stores.reflections.prepare(lighting.reflectionProbes, frame.camera); !ok)
         return tl::unexpected(ok.error());
 

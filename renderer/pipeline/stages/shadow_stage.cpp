@@ -1,7 +1,9 @@
 #include "renderer/pipeline/stages/shadow_stage.h"
 
 #include "renderer/shadows/sun_shadow.h"
+#include "renderer/visibility/caster.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -13,6 +15,13 @@ int findSun(const Lighting& lighting) {
     for (size_t i = 0; i < lighting.directional.size(); ++i)
         if (lighting.directional[i].castsShadow) return int(i);
     return -1;
+}
+
+/// Some object colours the light that goes through it, in view or not.
+bool hasGlass(const FrameWorlds& worlds) {
+    bool found = false;
+    worlds.forEachVariant([&](uint32_t flags) { found |= coloursLight(flags); });
+    return found;
 }
 
 }  // namespace
@@ -57,6 +66,8 @@ void ShadowStage::scheduleLights(FrameContext& frame, const Inputs& inputs, Outp
         in.punctual = frame.input.lighting.punctual;
         in.area = frame.input.lighting.area;
     }
+    out.punctualCast = std::ranges::any_of(in.punctual, &PunctualLight::castsShadow);
+    out.areaCast = std::ranges::any_of(in.area, &AreaLight::castsShadow);
     in.settings = &settings;
     in.firstFace = inputs.views.others->count() *
                    uint32_t(sizeof(GpuSecondSun) / sizeof(GpuShadowFace));
@@ -69,6 +80,7 @@ void ShadowStage::scheduleLights(FrameContext& frame, const Inputs& inputs, Outp
     schedule.geometry = &frame.stores.geometry;
     schedule.faces = lights_.faces();
     schedule.caching = settings.shadowCaching;
+    schedule.hasGlass = hasGlass(frame.worlds);
     schedule_.plan(schedule, frame.jobs);
     for (ShadowDraw& draw : schedule_.draws())
         draw.viewUniforms = frame.upload(makeViewUniforms(draw.face->view));
@@ -94,6 +106,7 @@ Result<void> ShadowStage::addSun(FrameContext& frame, const Inputs& inputs, Outp
     in.resolution = cascades_.resolution;
     in.binder = frame.binder();
     in.world = frame.input.world;
+    in.worlds = &frame.worlds;
     in.caching = frame.settings().shadowCaching;
     in.images = &frame.view.images;
     in.history = &frame.view.next.sunShadows;
@@ -116,6 +129,8 @@ Result<void> ShadowStage::addSunGlass(FrameContext& frame, const ShadowPass::Out
     in.resolution = resolution;
     in.binder = frame.binder();
     in.caching = frame.settings().shadowCaching;
+    in.hasGlass = hasGlass(frame.worlds);
+    in.worlds = &frame.worlds;
     in.images = &frame.view.images;
     in.history = &frame.view.next.sunGlass;
     const auto glass = glassPass_.addSun(frame.plan, in);
@@ -134,6 +149,7 @@ Result<void> ShadowStage::addLights(FrameContext& frame, Outputs& out) {
     in.draws = schedule_.draws();
     in.binder = frame.binder();
     in.size = lights_.atlasSize();
+    in.worlds = &frame.worlds;
     in.images = &frame.view.images;
     in.history = &frame.view.next.atlasImages;
     const auto atlas = atlasPass_.add(frame.plan, in);
@@ -145,6 +161,7 @@ Result<void> ShadowStage::addLights(FrameContext& frame, Outputs& out) {
     glass.atlas = atlas->atlas;
     glass.size = lights_.atlasSize();
     glass.binder = frame.binder();
+    glass.worlds = &frame.worlds;
     glass.images = &frame.view.images;
     glass.history = &frame.view.next.atlasImages;
     const auto made = glassPass_.addAtlas(frame.plan, glass);
@@ -156,7 +173,9 @@ Result<void> ShadowStage::addLights(FrameContext& frame, Outputs& out) {
 void ShadowStage::uploadRecords(FrameContext& frame, const SecondSuns& others, Outputs& out) {
     const auto faces = lights_.gpuFaces();
     if (others.count() == 0) {
-        if (!faces.empty()) out.records = frame.uploads.append(faces);
+        const GpuShadowFace none{};
+        if (out.punctualCast || out.areaCast)
+            out.records = frame.uploads.append(faces.empty() ? std::span(&none, 1) : faces);
         return;
     }
     const auto suns = others.gpu();
@@ -171,7 +190,7 @@ Result<ShadowStage::Outputs> ShadowStage::add(FrameContext& frame, const Inputs&
     scheduleLights(frame, inputs, out);
     if (cascades_.count > 0)
         if (auto ok = addSun(frame, inputs, out); !ok) return tl::unexpected(ok.error());
-    if (!lights_.faces().empty())
+    if (out.punctualCast || out.areaCast)
         if (auto ok = addLights(frame, out); !ok) return tl::unexpected(ok.error());
     uploadRecords(frame, *inputs.views.others, out);
     return out;

@@ -27,8 +27,9 @@ public:
         ImageId sunMap, sunGlass, atlas, atlasGlass;  ///< null where there is none
         uint32_t sunViews = 0;                        ///< layers of the sun's map that are in use
         BufferRange records;  ///< of other suns (GpuSecondSun), then of faces (GpuShadowFace)
-        std::span<const int32_t> punctual, area;  ///< their records by light, see ShadowLights
-        uint32_t drawn = 0, cached = 0;           ///< views
+        bool punctualCast = false, areaCast = false;  ///< some have shadows, in view or not
+        std::span<const int32_t> punctual, area;      ///< their records by light, see ShadowLights
+        uint32_t drawn = 0, cached = 0;               ///< views
         ShadowLights::Counts lights;
     };
 

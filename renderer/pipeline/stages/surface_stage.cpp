@@ -14,11 +14,13 @@ DecalBindings SurfaceStage::bindDecals(FrameContext& frame, interop::ViewUniform
     const CameraMatrices& camera = frame.camera;
     const DecalStore& store = frame.stores.decals;
     decalClusters_.build(camera, frame.width(), frame.height(), frame.input.decals, store);
-    if (decalClusters_.decals.empty()) return b;
     view.decalMapping = decalClusters_.mapping();
     const float half = camera.perspective ? camera.tanHalfY : camera.halfHeight;
     view.decalScale.x = 2 * half / float(frame.height());
-    b.records = frame.uploads.append(std::span<const GpuDecal>(decalClusters_.decals));
+    // Where none is in view the shaders are the same and find none in the lists.
+    const GpuDecal none{};
+    const std::span<const GpuDecal> decals = decalClusters_.decals;
+    b.records = frame.uploads.append(decals.empty() ? std::span(&none, 1) : decals);
     b.lists = frame.uploads.append(std::span<const uint32_t>(decalClusters_.lists));
     b.color = store.color();
     b.detail = store.detail();
@@ -33,8 +35,9 @@ Result<SurfaceStage::Outputs> SurfaceStage::add(FrameContext& frame, const Input
     out.viewUniforms = frame.upload(view);
     DrawList& opaque = inputs.lists->opaque;
     frame.drawn.push_back(&opaque);
-    const auto gbuffer = gbufferPass_.add(frame.plan, {&opaque, frame.binder(), out.viewUniforms,
-                                                       frame.width(), frame.height(), out.decals});
+    const auto gbuffer = gbufferPass_.add(
+        frame.plan, {&opaque, frame.binder(), out.viewUniforms, frame.width(), frame.height(),
+                     out.decals, &frame.worlds});
     if (!gbuffer) return tl::unexpected(gbuffer.error());
     out.gbuffer = *gbuffer;
     frame.plan.publish("depth", gbuffer->depth);
