@@ -19,6 +19,7 @@ public:
     std::map<BufferHandle, std::vector<std::byte>> buffers;
     std::map<TextureHandle, TextureDesc> textures;  ///< alive; labels are not kept
     std::vector<Upload> uploads;
+    uint32_t pipelines = 0;  ///< created so far
 
     template <class T>
     T read(BufferHandle buffer, size_t index) const {
@@ -43,6 +44,7 @@ public:
         return null_->createSampler(desc);
     }
     Result<PipelineHandle> createPipeline(const PipelineDesc& desc) override {
+        ++pipelines;
         return null_->createPipeline(desc);
     }
     void destroy(BufferHandle buffer) override { buffers.erase(buffer), null_->destroy(buffer); }

@@ -17,6 +17,7 @@ add_executable(frame_test
   geometry/view_math_test.cpp
   visibility/radix_sort_test.cpp
   visibility/visibility_test.cpp
+  pipeline/turning_test.cpp
   pipeline/whole_frame_test.cpp
   ../support/scenes/random_scene.cpp)
 target_link_libraries(frame_test PRIVATE
