@@ -106,6 +106,8 @@ SceneLights lightsOf(const assets::Model& model, const LightUploads& uploads,
     return lights;
 }
 
+// The file's own aspect ratio is not looked at: content is never stretched, and the vertical field
+// is kept (glTF 2.0, 3.10.2). So with the width of an orthographic camera.
 View viewOf(const assets::Camera& camera, const mat4& worldFromNode) {
     const vec3 back = -forwardOf(worldFromNode);
     const vec3 right = glm::normalize(glm::cross(vec3(worldFromNode[1]), back));
@@ -116,7 +118,6 @@ View viewOf(const assets::Camera& camera, const mat4& worldFromNode) {
     view.perspective = camera.perspective;
     view.verticalFov = camera.verticalFov;
     view.orthoHalfHeight = camera.orthoHalfHeight;
-    view.aspect = camera.aspect;
     view.nearPlane = camera.nearPlane;
     view.farPlane = camera.farPlane;
     return view;
