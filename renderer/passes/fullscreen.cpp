@@ -45,13 +45,4 @@ Result<PipelineHandle> FullscreenPipelines::find(std::span<const std::string_vie
     return pipeline;
 }
 
-void FullscreenDraw::record(const FullscreenDraw& draw, PassContext& context) {
-    context.commands.push(BindUniforms{RL_UNIFORMS_PASS, 0, draw.uniforms});
-    for (const Texture& t : draw.textures)
-        if (t.image)
-            context.commands.push(BindTexture{t.slot, context.texture(t.image), t.sampler});
-    context.commands.push(SetPipeline{draw.pipeline});
-    context.commands.push(Draw{3, 1, 0});
-}
-
 }  // namespace rushlight

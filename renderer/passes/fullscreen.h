@@ -36,20 +36,6 @@ private:
     std::vector<Entry> entries_;
 };
 
-/// The payload of such a pass.
-struct FullscreenDraw {
-    struct Texture {
-        uint32_t slot = 0;
-        ImageId image;
-        SamplerHandle sampler;
-    };
-    PipelineHandle pipeline;
-    BufferRange uniforms;
-    Texture textures[4];  ///< those with a null image are skipped
-
-    static void record(const FullscreenDraw& draw, PassContext& context);
-};
-
 /// Samplers that clamp to the edge, without mip levels.
 SamplerHandle linearClampSampler(Device& device);
 SamplerHandle nearestClampSampler(Device& device);

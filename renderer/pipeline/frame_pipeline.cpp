@@ -75,7 +75,7 @@ Result<void> FramePipeline::render(const FrameInput& input, const FrameTarget& t
     lastView_ = input.view.state;
     FrameContext frame{input, target,    capture, *camera, stores, jobs_,
                        plan_, commands_, *view,   worlds,  drawn_};
-    if (auto ok = build(frame); !ok) return ok;
+    if (auto ok = build(frame, options.passOrderSeed); !ok) return ok;
     reporter_.noteBuildTime(millisecondsSince(start));
     if (validates_)
         if (auto ok = validateCommands(); !ok) return ok;
@@ -132,12 +132,12 @@ Visibility::Counts FramePipeline::gatherVisible(FrameContext& frame,
     return visibility_.gather(in, jobs_, lists_);
 }
 
-Result<void> FramePipeline::build(FrameContext& frame) {
+Result<void> FramePipeline::build(FrameContext& frame, uint64_t passOrderSeed) {
     const ShadowStage::Views views = stages_.shadow.chooseViews(frame);
     const Visibility::Counts visible = gatherVisible(frame, views);
     const auto planned = plan(frame, views);
     if (!planned) return tl::unexpected(planned.error());
-    if (auto ok = plan_.compile(); !ok) return ok;
+    if (auto ok = plan_.compile(passOrderSeed); !ok) return ok;
     filler_.fill(drawn_, frame.worlds, commands_, jobs_);
     plan_.record(jobs_, commands_);
     if (frame.capture)

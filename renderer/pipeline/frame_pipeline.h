@@ -67,7 +67,7 @@ private:
     Result<void> planPicture(FrameContext& frame, const DebugStage::Inputs& made, ImageId radiance,
                              Plan& plan);
     Result<void> present(FrameContext& frame, const DebugStage::Inputs& made, ImageId radiance);
-    Result<void> build(FrameContext& frame);
+    Result<void> build(FrameContext& frame, uint64_t passOrderSeed);
     Result<void> execute(FrameContext& frame, const FrameOptions& options,
                          std::chrono::steady_clock::time_point began);
     Result<void> validateCommands();

@@ -11,18 +11,12 @@ struct FinalTarget {
     uint32_t height = 0;
     bool topRowFirst = false;  ///< FrameTarget::topRowFirst
 
-    /// The targets of a pass that draws here. `color` must live as long as the result.
-    PassTargets targets(PassTargets::Color& color, LoadOp load) const {
-        PassTargets t;
-        if (image) {
-            color = {image, load};
-            t.colors = {&color, 1};
-        } else {
-            t.toFrameTarget = true;
-            t.frameWidth = width;
-            t.frameHeight = height;
-        }
-        return t;
+    /// Makes it the target of a pass.
+    void bind(PassBuilder& pass, LoadOp load) const {
+        if (image)
+            pass.color(image, load);
+        else
+            pass.frameTarget(width, height);
     }
 };
 

@@ -1,7 +1,10 @@
 #include "renderer/plan/frame_plan.h"
 
+#include "engine/core/hash.h"
+
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace rushlight {
 namespace {
@@ -28,9 +31,57 @@ Result<TextureHandle> createTexture(Device& device, const PlanImage& image) {
     return device.createTexture(desc);
 }
 
-TextureHandle PassContext::texture(ImageId image) const {
-    RL_CHECK(plan_.declared(pass_, image), "a pass uses an image that it did not declare");
-    return plan_.texture(image);
+PassBuilder& PassBuilder::color(ImageId image, LoadOp load, const vec4& clear, uint32_t layer) {
+    if (!image) return *this;
+    FramePlan::Pass& pass = plan_.openPass();
+    RL_CHECK(pass.colorCount < kMaxColorAttachments, "a pass has too many colour targets");
+    pass.colors[pass.colorCount++] = {image, load, clear, layer};
+    return *this;
+}
+
+PassBuilder& PassBuilder::depth(ImageId image, LoadOp load, uint32_t layer) {
+    plan_.openPass().depth = {image, load, layer, false};
+    return *this;
+}
+
+PassBuilder& PassBuilder::depthTest(ImageId image, uint32_t layer) {
+    plan_.openPass().depth = {image, LoadOp::keep, layer, true};
+    return *this;
+}
+
+PassBuilder& PassBuilder::frameTarget(uint32_t width, uint32_t height) {
+    FramePlan::Pass& pass = plan_.openPass();
+    pass.toFrameTarget = true;
+    pass.frameWidth = width;
+    pass.frameHeight = height;
+    return *this;
+}
+
+PassBuilder& PassBuilder::sample(uint32_t slot, ImageId image, SamplerHandle sampler) {
+    if (image) plan_.bind({FramePlan::Binding::sampled, {}, slot, image, {}, sampler, {}});
+    return *this;
+}
+
+PassBuilder& PassBuilder::texture(uint32_t slot, TextureHandle texture, SamplerHandle sampler) {
+    if (texture) plan_.bind({FramePlan::Binding::outside, {}, slot, {}, texture, sampler, {}});
+    return *this;
+}
+
+PassBuilder& PassBuilder::uniforms(uint32_t slot, const BufferRange& range) {
+    if (range.size) plan_.bind({FramePlan::Binding::uniforms, {}, slot, {}, {}, {}, range});
+    return *this;
+}
+
+PassBuilder& PassBuilder::texels(uint32_t slot, Format format, const BufferRange& range) {
+    if (range.size) plan_.bind({FramePlan::Binding::texels, format, slot, {}, {}, {}, range});
+    return *this;
+}
+
+void PassBuilder::fullscreen(PipelineHandle pipeline) {
+    record<PipelineHandle>(pipeline, [](const PipelineHandle& drawn, CommandBuffer& commands) {
+        commands.push(SetPipeline{drawn});
+        commands.push(Draw{3, 1, 0});
+    });
 }
 
 FramePlan::~FramePlan() {
@@ -40,6 +91,7 @@ FramePlan::~FramePlan() {
 void FramePlan::begin() {
     passes_.clear();
     images_.clear();
+    bindings_.clear();
     payloads_.clear();
     kept_.clear();
     wanted_.clear();
@@ -90,31 +142,32 @@ bool FramePlan::writesSealed(size_t index) const {
     return pass.depth.image && !pass.depth.readOnly && sealed(pass.depth.image);
 }
 
-void FramePlan::addPass(const char* name, const PassTargets& targets, const void* payload,
-                        size_t size, void (*function)(), Caller caller) {
-    RL_CHECK(targets.colors.size() <= kMaxColorAttachments, "a pass has too many colour targets");
-    RL_CHECK(targets.reads.size() <= kMaxReads, "a pass declares too many reads");
-    Pass pass{};
+PassBuilder FramePlan::addPass(const char* name) {
+    Pass& pass = passes_.emplace_back();
     pass.name = name;
-    for (const PassTargets::Color& color : targets.colors)
-        if (color.image) pass.colors[pass.colorCount++] = color;
-    pass.depth = targets.depth;
-    for (ImageId image : targets.reads)
-        if (image) pass.reads[pass.readCount++] = image;
-    pass.toFrameTarget = targets.toFrameTarget;
-    pass.frameWidth = targets.frameWidth;
-    pass.frameHeight = targets.frameHeight;
+    pass.firstBinding = bindings_.size();
+    return PassBuilder(*this);
+}
+
+void FramePlan::bind(const Binding& binding) {
+    bindings_.push_back(binding);
+    ++openPass().bindingCount;
+}
+
+void FramePlan::setRecord(const void* payload, size_t size, void (*function)(), Caller caller) {
+    Pass& pass = openPass();
+    RL_CHECK(!pass.caller, "a pass is recorded twice");
     pass.payload = payloads_.size();
     payloads_.resize(payloads_.size() + CommandBuffer::padded(size));
     std::memcpy(payloads_.data() + pass.payload, payload, size);
     pass.function = function;
     pass.caller = caller;
-    passes_.push_back(pass);
 }
 
-Result<void> FramePlan::compile() {
+Result<void> FramePlan::compile(uint64_t orderSeed) {
     if (auto ordered = checkOrder(); !ordered) return ordered;
     dropUnneeded();
+    if (orderSeed) shuffle(orderSeed);
     return allocate();
 }
 
@@ -132,8 +185,9 @@ Result<void> FramePlan::checkOrder() {
                             "', which no earlier pass writes.",
                         ErrorKind::wrongUse);
         };
-        for (uint32_t i = 0; i < pass.readCount; ++i)
-            if (auto ok = require(pass.reads[i]); !ok) return ok;
+        for (const Binding& binding : bindingsOf(pass))
+            if (binding.kind == Binding::sampled)
+                if (auto ok = require(binding.image); !ok) return ok;
         for (uint32_t i = 0; i < pass.colorCount; ++i) {
             if (pass.colors[i].load == LoadOp::keep)
                 if (auto ok = require(pass.colors[i].image); !ok) return ok;
@@ -161,7 +215,8 @@ void FramePlan::dropUnneeded() {
         if (pass.depth.image && !pass.depth.readOnly) pass.needed |= wanted[pass.depth.image.value];
         pass.needed = pass.needed && !writesSealed(i);
         if (!pass.needed) continue;
-        for (uint32_t r = 0; r < pass.readCount; ++r) wanted[pass.reads[r].value] = true;
+        for (const Binding& binding : bindingsOf(pass))
+            if (binding.kind == Binding::sampled) wanted[binding.image.value] = true;
         for (uint32_t c = 0; c < pass.colorCount; ++c)
             if (pass.colors[c].load == LoadOp::keep) wanted[pass.colors[c].image.value] = true;
         if (pass.depth.image && (pass.depth.load == LoadOp::keep || pass.depth.readOnly))
@@ -169,6 +224,45 @@ void FramePlan::dropUnneeded() {
     }
     for (uint32_t i = 0; i < passes_.size(); ++i)
         if (passes_[i].needed) kept_.push_back(i);
+}
+
+// Two passes may change places where neither writes what the other touches. Layers of one image are
+// written apart.
+bool FramePlan::mustFollow(const Pass& later, const Pass& earlier) const {
+    if (later.toFrameTarget && earlier.toFrameTarget) return true;
+    const auto touches = [&](const Pass& pass, ImageId image, uint32_t layer) {
+        for (uint32_t c = 0; c < pass.colorCount; ++c)
+            if (pass.colors[c].image == image && pass.colors[c].layer == layer) return true;
+        if (pass.depth.image == image && pass.depth.layer == layer) return true;
+        return std::ranges::any_of(bindingsOf(pass), [&](const Binding& b) {
+            return b.kind == Binding::sampled && b.image == image;
+        });
+    };
+    const auto writesWhatIsTouched = [&](const Pass& writer, const Pass& other) {
+        for (uint32_t c = 0; c < writer.colorCount; ++c)
+            if (touches(other, writer.colors[c].image, writer.colors[c].layer)) return true;
+        return writer.depth.image && !writer.depth.readOnly &&
+               touches(other, writer.depth.image, writer.depth.layer);
+    };
+    return writesWhatIsTouched(later, earlier) || writesWhatIsTouched(earlier, later);
+}
+
+void FramePlan::shuffle(uint64_t seed) {
+    std::vector<uint32_t> left(std::exchange(kept_, {}));
+    while (!left.empty()) {
+        std::vector<size_t> ready;
+        for (size_t i = 0; i < left.size(); ++i) {
+            const auto earlier = std::span(left).first(i);
+            if (std::ranges::none_of(earlier, [&](uint32_t pass) {
+                    return mustFollow(passes_[left[i]], passes_[pass]);
+                }))
+                ready.push_back(i);
+        }
+        seed = mixBits(seed + 1);
+        const size_t chosen = ready[seed % ready.size()];
+        kept_.push_back(left[chosen]);
+        left.erase(left.begin() + std::ptrdiff_t(chosen));
+    }
 }
 
 Result<void> FramePlan::allocate() {
@@ -182,7 +276,7 @@ Result<void> FramePlan::allocate() {
             image.lastPass = k;
         };
         for (uint32_t c = 0; c < pass.colorCount; ++c) touch(pass.colors[c].image);
-        for (uint32_t r = 0; r < pass.readCount; ++r) touch(pass.reads[r]);
+        for (const Binding& binding : bindingsOf(pass)) touch(binding.image);
         touch(pass.depth.image);
     }
     for (PooledTexture& pooled : pool_) {
@@ -221,16 +315,6 @@ Result<TextureHandle> FramePlan::acquire(Image& image) {
     return image.texture = *texture;
 }
 
-bool FramePlan::declared(uint32_t passIndex, ImageId image) const {
-    const Pass& pass = passes_[passIndex];
-    if (pass.depth.image == image) return true;
-    for (uint32_t i = 0; i < pass.readCount; ++i)
-        if (pass.reads[i] == image) return true;
-    for (uint32_t i = 0; i < pass.colorCount; ++i)
-        if (pass.colors[i].image == image) return true;
-    return false;
-}
-
 uint32_t FramePlan::passBytesPerPixel(uint32_t kept) const {
     const Pass& pass = passes_[kept_[kept]];
     uint32_t bytes = pass.toFrameTarget ? 4 : 0;
@@ -251,7 +335,7 @@ void FramePlan::recordPass(uint32_t kept, CommandBuffer& commands) const {
     begin.width = pass.frameWidth;
     begin.height = pass.frameHeight;
     for (uint32_t i = 0; i < pass.colorCount; ++i) {
-        const PassTargets::Color& color = pass.colors[i];
+        const Color& color = pass.colors[i];
         const Image& image = images_[color.image.value];
         begin.colors[i].texture = image.texture;
         begin.colors[i].layer = uint16_t(color.layer);
@@ -271,8 +355,8 @@ void FramePlan::recordPass(uint32_t kept, CommandBuffer& commands) const {
     }
     commands.push(begin);
     declareImages(pass, commands);
-    PassContext context(commands, *this, kept_[kept]);
-    pass.caller(pass.function, payloads_.data() + pass.payload, context);
+    recordBindings(pass, commands);
+    if (pass.caller) pass.caller(pass.function, payloads_.data() + pass.payload, commands);
     commands.push(EndPass{kept});
 }
 
@@ -283,9 +367,23 @@ void FramePlan::declareImages(const Pass& pass, CommandBuffer& commands) const {
         std::strncpy(command.name, image.desc.name, sizeof command.name - 1);
         commands.push(command);
     };
-    for (uint32_t i = 0; i < pass.readCount; ++i) declare(pass.reads[i], false);
+    for (const Binding& binding : bindingsOf(pass))
+        if (binding.kind == Binding::sampled) declare(binding.image, false);
     for (uint32_t i = 0; i < pass.colorCount; ++i) declare(pass.colors[i].image, true);
     if (pass.depth.image && !pass.depth.readOnly) declare(pass.depth.image, true);
+}
+
+void FramePlan::recordBindings(const Pass& pass, CommandBuffer& commands) const {
+    for (const Binding& b : bindingsOf(pass)) switch (b.kind) {
+            case Binding::sampled:
+                commands.push(BindTexture{b.slot, images_[b.image.value].texture, b.sampler});
+                break;
+            case Binding::outside: commands.push(BindTexture{b.slot, b.texture, b.sampler}); break;
+            case Binding::uniforms: commands.push(BindUniforms{b.slot, 0, b.range}); break;
+            case Binding::texels:
+                commands.push(BindTexelBuffer{b.slot, b.format, {}, b.range});
+                break;
+        }
 }
 
 void FramePlan::record(JobSystem& jobs, CommandBuffer& out) {

@@ -12,8 +12,10 @@
 #include "renderer/rhi/device.h"
 
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace rushlight {
@@ -37,48 +39,41 @@ Result<TextureHandle> createTexture(Device& device, const PlanImage& image);
 
 class FramePlan;
 
-/// What a pass's record function may touch: its commands, and the images that it declared.
-class PassContext {
+/// A pass as it is described. Each call declares an access and makes the binding that goes with it,
+/// so that nothing can be bound that was not declared. A null image and an empty range are ignored.
+/// Good until the next pass is begun.
+class PassBuilder {
 public:
-    CommandBuffer& commands;
+    // Targets.
+    PassBuilder& color(ImageId image, LoadOp load = LoadOp::discard, const vec4& clear = vec4(0),
+                       uint32_t layer = 0);
+    PassBuilder& depth(ImageId image, LoadOp load, uint32_t layer = 0);
+    /// Tested and not written; the pass may sample it too.
+    PassBuilder& depthTest(ImageId image, uint32_t layer = 0);
+    /// The host's framebuffer: such a pass is always needed.
+    PassBuilder& frameTarget(uint32_t width, uint32_t height);
 
-    /// Stops the program when the pass did not declare the image: that is a bug in the pass.
-    TextureHandle texture(ImageId image) const;
+    // What shaders read, by the slots of shaders/interop/bindings.h.
+    PassBuilder& sample(uint32_t slot, ImageId image, SamplerHandle sampler);
+    PassBuilder& texture(uint32_t slot, TextureHandle texture, SamplerHandle sampler);
+    PassBuilder& uniforms(uint32_t slot, const BufferRange& range);
+    PassBuilder& texels(uint32_t slot, Format format, const BufferRange& range);
 
-    PassContext(CommandBuffer& buffer, const FramePlan& plan, uint32_t pass)
-        : commands(buffer), plan_(plan), pass_(pass) {}
+    /// What the pass draws: `function(payload, commands)` is called once, perhaps on another
+    /// thread, after compile(). The payload is copied.
+    template <class Payload>
+    void record(const Payload& payload, void (*function)(const Payload&, CommandBuffer&));
+    /// One triangle over the targets.
+    void fullscreen(PipelineHandle pipeline);
 
 private:
-    const FramePlan& plan_;
-    uint32_t pass_;
-};
-
-/// A pass's targets and reads; a null image is ignored.
-struct PassTargets {
-    struct Color {
-        ImageId image;
-        LoadOp load = LoadOp::discard;
-        vec4 clear{0};
-        uint32_t layer = 0;
-    };
-    struct Depth {
-        ImageId image;
-        LoadOp load = LoadOp::keep;
-        uint32_t layer = 0;
-        bool readOnly = false;  ///< depth test without writes; the pass may sample it too
-    };
-    std::span<const Color> colors;
-    Depth depth;
-    std::span<const ImageId> reads;
-    bool toFrameTarget = false;  ///< draws into the host's framebuffer: such a pass is always
-                                 ///< needed
-    uint32_t frameWidth = 0;
-    uint32_t frameHeight = 0;
+    friend class FramePlan;
+    explicit PassBuilder(FramePlan& plan) : plan_(plan) {}
+    FramePlan& plan_;
 };
 
 class FramePlan {
 public:
-    static constexpr uint32_t kMaxReads = 12;
     static constexpr uint32_t kMaxWanted = 8;
 
     explicit FramePlan(Device& device) : device_(device) {}
@@ -93,19 +88,8 @@ public:
     /// An image that outlives the frame; writing it is needed by definition.
     ImageId importImage(const PlanImage&, TextureHandle);
 
-    /// `function(payload, context)` is called once, perhaps on another thread, after compile(). The
-    /// payload is copied.
-    template <class Payload>
-    void addPass(const char* name, const PassTargets& targets, const Payload& payload,
-                 void (*function)(const Payload&, PassContext&)) {
-        static_assert(std::is_trivially_copyable_v<Payload>);
-        addPass(name, targets, &payload, sizeof payload, reinterpret_cast<void (*)()>(function),
-                [](void (*erased)(), const void* data, PassContext& context) {
-                    Payload copy;
-                    std::memcpy(static_cast<void*>(&copy), data, sizeof copy);
-                    reinterpret_cast<void (*)(const Payload&, PassContext&)>(erased)(copy, context);
-                });
-    }
+    /// `name` has static storage. The pass is what its builder is told until the next is begun.
+    PassBuilder addPass(const char* name);
 
     /// Keeps an image alive to the end and marks it needed: it is read back.
     void requestImage(ImageId image);
@@ -122,8 +106,9 @@ public:
     /// Null where nothing was published under that name.
     ImageId find(std::string_view name) const;
 
-    /// Checks, drops and allocates. An Error names the pass and the image.
-    Result<void> compile();
+    /// Checks, drops and allocates. An Error names the pass and the image. `orderSeed` is 0 for the
+    /// order in which passes were added; else it picks another one that their accesses allow.
+    Result<void> compile(uint64_t orderSeed = 0);
 
     /// Records every kept pass and appends them in order.
     void record(JobSystem& jobs, CommandBuffer& out);
@@ -137,7 +122,8 @@ public:
     template <class F>
     void forEachRead(uint32_t kept, F&& f) const {
         const Pass& pass = passes_[kept_[kept]];
-        for (uint32_t i = 0; i < pass.readCount; ++i) f(images_[pass.reads[i].value].desc.name);
+        for (const Binding& binding : bindingsOf(pass))
+            if (binding.kind == Binding::sampled) f(images_[binding.image.value].desc.name);
     }
     /// `f(PassImage)`, without texels.
     template <class F>
@@ -155,22 +141,44 @@ public:
     }
 
 private:
-    friend class PassContext;
-    using Caller = void (*)(void (*)(), const void*, PassContext&);
+    friend class PassBuilder;
+    using Caller = void (*)(void (*)(), const void*, CommandBuffer&);
 
+    struct Color {
+        ImageId image;
+        LoadOp load = LoadOp::discard;
+        vec4 clear{0};
+        uint32_t layer = 0;
+    };
+    struct Depth {
+        ImageId image;
+        LoadOp load = LoadOp::keep;
+        uint32_t layer = 0;
+        bool readOnly = false;
+    };
+    struct Binding {
+        enum Kind : uint8_t { sampled, outside, uniforms, texels };
+        Kind kind = sampled;
+        Format format = Format::none;  ///< of texels
+        uint32_t slot = 0;
+        ImageId image;          ///< sampled
+        TextureHandle texture;  ///< outside
+        SamplerHandle sampler;
+        BufferRange range;
+    };
     struct Pass {
-        const char* name;
-        PassTargets::Color colors[kMaxColorAttachments];
-        uint32_t colorCount;
-        PassTargets::Depth depth;
-        ImageId reads[kMaxReads];
-        uint32_t readCount;
-        bool toFrameTarget;
-        uint32_t frameWidth, frameHeight;
-        size_t payload;  ///< offset into payloads_
-        void (*function)();
-        Caller caller;
-        bool needed;
+        const char* name = "";
+        Color colors[kMaxColorAttachments];
+        uint32_t colorCount = 0;
+        Depth depth;
+        size_t firstBinding = 0;  ///< of bindings_
+        size_t bindingCount = 0;
+        bool toFrameTarget = false;
+        uint32_t frameWidth = 0, frameHeight = 0;
+        size_t payload = 0;  ///< offset into payloads_
+        void (*function)() = nullptr;
+        Caller caller = nullptr;
+        bool needed = false;
     };
     struct Image {
         PlanImage desc;
@@ -192,20 +200,28 @@ private:
         uint32_t unusedFrames = 0;
     };
 
-    void addPass(const char* name, const PassTargets&, const void* payload, size_t size,
-                 void (*function)(), Caller caller);
+    /// The one that is being described.
+    Pass& openPass() { return passes_.back(); }
+    void bind(const Binding& binding);
+    void setRecord(const void* payload, size_t size, void (*function)(), Caller caller);
+    std::span<const Binding> bindingsOf(const Pass& pass) const {
+        return std::span(bindings_).subspan(pass.firstBinding, pass.bindingCount);
+    }
     Result<void> checkOrder();
     void dropUnneeded();
     bool writesSealed(size_t pass) const;
+    void shuffle(uint64_t seed);
+    bool mustFollow(const Pass& later, const Pass& earlier) const;
     Result<void> allocate();
     Result<TextureHandle> acquire(Image& image);
     void recordPass(uint32_t kept, CommandBuffer& commands) const;
     void declareImages(const Pass& pass, CommandBuffer& commands) const;
-    bool declared(uint32_t pass, ImageId image) const;
+    void recordBindings(const Pass& pass, CommandBuffer& commands) const;
 
     Device& device_;
     std::vector<Pass> passes_;
     std::vector<Image> images_;
+    std::vector<Binding> bindings_;
     std::vector<std::byte> payloads_;
     std::vector<uint32_t> kept_;
     std::vector<PooledTexture> pool_;
@@ -214,5 +230,17 @@ private:
     std::vector<std::string_view> wanted_;
     std::vector<Published> published_;
 };
+
+template <class Payload>
+void PassBuilder::record(const Payload& payload, void (*function)(const Payload&, CommandBuffer&)) {
+    static_assert(std::is_trivially_copyable_v<Payload>);
+    plan_.setRecord(&payload, sizeof payload, reinterpret_cast<void (*)()>(function),
+                    [](void (*erased)(), const void* data, CommandBuffer& commands) {
+                        Payload copy;
+                        std::memcpy(static_cast<void*>(&copy), data, sizeof copy);
+                        reinterpret_cast<void (*)(const Payload&, CommandBuffer&)>(erased)(
+                            copy, commands);
+                    });
+}
 
 }  // namespace rushlight

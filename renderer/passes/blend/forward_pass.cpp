@@ -4,6 +4,18 @@
 #include "shaders/interop/bindings.h"
 
 namespace rushlight {
+namespace {
+
+struct Payload {
+    const DrawList* lists[2];
+    DrawBinder binder;
+};
+
+void record(const Payload& payload, CommandBuffer& commands) {
+    for (const DrawList* list : payload.lists) payload.binder.record(commands, *list);
+}
+
+}  // namespace
 
 ForwardPass::ForwardPass(Device& device)
     : blend_(device, {.label = "forward",
@@ -49,26 +61,16 @@ Result<ForwardPass::Outputs> ForwardPass::add(FramePlan& plan, const Inputs& inp
     if (auto ok = blend_.assign(*inputs.blended, defines_); !ok) return tl::unexpected(ok.error());
     if (auto ok = emission_.assign(*inputs.movingEmissive, emission); !ok)
         return tl::unexpected(ok.error());
-    const PassTargets::Color colors[] = {{inputs.radiance, LoadOp::keep}};
-    const ImageId reads[] = {inputs.lighting.shadowMap, inputs.lighting.shadowAtlas,
-                             inputs.lighting.sunGlass, inputs.lighting.atlasGlass, inputs.fog};
-    PassTargets targets;
-    targets.colors = colors;
-    targets.depth = {inputs.depth, LoadOp::keep, 0, true};
-    targets.reads = reads;
-    plan.addPass<Inputs>("forward", targets, inputs, [](const Inputs& in, PassContext& context) {
-        context.commands.push(BindUniforms{RL_UNIFORMS_VIEW, 0, in.viewUniforms});
-        context.commands.push(BindTexelBuffer{
-            RL_TEXTURE_MATERIALS, Format::rgba32ui, {}, in.binder.materials->buffer()});
-        in.lighting.record(context);
-        if (in.lighting.features.irradianceVolume) in.lighting.recordProbes(context);
-        in.decals.record(context.commands);
-        if (in.fog)
-            context.commands.push(
-                BindTexture{RL_TEXTURE_FOG, context.texture(in.fog), in.lighting.linearSampler});
-        in.binder.record(context.commands, *in.movingEmissive);
-        in.binder.record(context.commands, *in.blended);
-    });
+    PassBuilder pass = plan.addPass("forward");
+    pass.color(inputs.radiance, LoadOp::keep);
+    pass.depthTest(inputs.depth);
+    pass.uniforms(RL_UNIFORMS_VIEW, inputs.viewUniforms);
+    bindMaterials(pass, inputs.binder);
+    inputs.lighting.bind(pass);
+    if (inputs.lighting.features.irradianceVolume) inputs.lighting.bindProbes(pass);
+    inputs.decals.bind(pass);
+    pass.sample(RL_TEXTURE_FOG, inputs.fog, inputs.lighting.linearSampler);
+    pass.record<Payload>({{inputs.movingEmissive, inputs.blended}, inputs.binder}, record);
     return out;
 }
 

@@ -9,15 +9,12 @@ constexpr uint32_t kVerticesPerBox = 24;  // twelve edges
 
 struct Payload {
     PipelineHandle pipeline;
-    BufferRange viewUniforms, boxes;
     uint32_t boxCount;
 };
 
-void record(const Payload& payload, PassContext& context) {
-    context.commands.push(SetPipeline{payload.pipeline});
-    context.commands.push(BindUniforms{RL_UNIFORMS_VIEW, 0, payload.viewUniforms});
-    context.commands.push(BindTexelBuffer{RL_TEXTURE_LIGHTS, Format::rgba32f, {}, payload.boxes});
-    context.commands.push(Draw{kVerticesPerBox * payload.boxCount, 1, 0});
+void record(const Payload& payload, CommandBuffer& commands) {
+    commands.push(SetPipeline{payload.pipeline});
+    commands.push(Draw{kVerticesPerBox * payload.boxCount, 1, 0});
 }
 
 }  // namespace
@@ -41,12 +38,12 @@ Result<void> BoundsPass::add(FramePlan& plan, const Inputs& inputs) {
             boxes_.push_back(vec4(box.halfExtent(), 0));
         }
     if (boxes_.empty()) return {};
-    PassTargets::Color color;
-    plan.addPass<Payload>(
-        "bounds", inputs.target.targets(color, LoadOp::keep),
-        {pipeline_, inputs.viewUniforms, inputs.data->append(std::span<const vec4>(boxes_)),
-         uint32_t(boxes_.size() / 2)},
-        record);
+    PassBuilder pass = plan.addPass("bounds");
+    inputs.target.bind(pass, LoadOp::keep);
+    pass.uniforms(RL_UNIFORMS_VIEW, inputs.viewUniforms);
+    pass.texels(RL_TEXTURE_LIGHTS, Format::rgba32f,
+                inputs.data->append(std::span<const vec4>(boxes_)));
+    pass.record<Payload>({pipeline_, uint32_t(boxes_.size() / 2)}, record);
     return {};
 }
 

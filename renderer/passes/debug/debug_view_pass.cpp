@@ -66,42 +66,30 @@ Result<void> DebugViewPass::add(FramePlan& plan, const Inputs& inputs) {
     const auto pipeline = pipelines_.find({defines, count});
     if (!pipeline) return tl::unexpected(pipeline.error());
 
-    Payload payload{{*pipeline, appendUniforms(*inputs.data, uniformsOf(inputs)), {}}, {}};
-    ImageId reads[4];
+    PassBuilder pass = plan.addPass("debug-view");
+    inputs.target.bind(pass, LoadOp::discard);
+    pass.uniforms(RL_UNIFORMS_PASS, appendUniforms(*inputs.data, uniformsOf(inputs)));
     if (shadow && !nothing) {
         // Both units need a texture; what is not there has no cell.
-        reads[0] = inputs.shadowMap ? inputs.shadowMap : inputs.shadowAtlas;
-        reads[1] = inputs.shadowAtlas ? inputs.shadowAtlas : inputs.shadowMap;
-        payload.draw.textures[0] = {RL_TEXTURE_SOURCE0, reads[0], nearest_};
-        payload.draw.textures[1] = {RL_TEXTURE_SOURCE1, reads[1], nearest_};
+        const ImageId map = inputs.shadowMap ? inputs.shadowMap : inputs.shadowAtlas;
+        const ImageId atlas = inputs.shadowAtlas ? inputs.shadowAtlas : inputs.shadowMap;
+        pass.sample(RL_TEXTURE_SOURCE0, map, nearest_);
+        pass.sample(RL_TEXTURE_SOURCE1, atlas, nearest_);
     } else if (overdraw && !nothing) {
-        reads[0] = inputs.overdraw;
-        payload.draw.textures[0] = {RL_TEXTURE_SOURCE0, inputs.overdraw, nearest_};
+        pass.sample(RL_TEXTURE_SOURCE0, inputs.overdraw, nearest_);
     } else {
         const GBufferPass::Outputs& g = inputs.gbuffer;
-        payload.draw.textures[0] = {RL_TEXTURE_GBUFFER0, g.target0, nearest_};
         if (ambient && !nothing)  // which does without the base colour
-            payload.draw.textures[0] = {RL_TEXTURE_AMBIENT_OCCLUSION, inputs.ambientOcclusion,
-                                        nearest_};
-        payload.draw.textures[1] = {RL_TEXTURE_GBUFFER1, g.target1, nearest_};
-        payload.draw.textures[2] = {RL_TEXTURE_GBUFFER2, g.target2, nearest_};
-        payload.draw.textures[3] = {RL_TEXTURE_DEPTH, g.depth, nearest_};
-        reads[0] = payload.draw.textures[0].image, reads[1] = g.target1, reads[2] = g.target2,
-        reads[3] = g.depth;
+            pass.sample(RL_TEXTURE_AMBIENT_OCCLUSION, inputs.ambientOcclusion, nearest_);
+        else
+            pass.sample(RL_TEXTURE_GBUFFER0, g.target0, nearest_);
+        pass.sample(RL_TEXTURE_GBUFFER1, g.target1, nearest_);
+        pass.sample(RL_TEXTURE_GBUFFER2, g.target2, nearest_);
+        pass.sample(RL_TEXTURE_DEPTH, g.depth, nearest_);
     }
-    if (clusters) payload.clusters = inputs.clusters;
-    PassTargets::Color color;
-    PassTargets targets = inputs.target.targets(color, LoadOp::discard);
-    targets.reads = reads;
-    plan.addPass<Payload>("debug-view", targets, payload, record);
+    if (clusters) pass.texels(RL_TEXTURE_CLUSTERS, Format::r32ui, inputs.clusters);
+    pass.fullscreen(*pipeline);
     return {};
-}
-
-void DebugViewPass::record(const Payload& payload, PassContext& context) {
-    if (payload.clusters.size)
-        context.commands.push(
-            BindTexelBuffer{RL_TEXTURE_CLUSTERS, Format::r32ui, {}, payload.clusters});
-    FullscreenDraw::record(payload.draw, context);
 }
 
 }  // namespace rushlight

@@ -36,12 +36,6 @@ public:
     Result<void> add(FramePlan& plan, const Inputs& inputs);
 
 private:
-    struct Payload {
-        FullscreenDraw draw;
-        BufferRange clusters;
-    };
-    static void record(const Payload& payload, PassContext& context);
-
     FullscreenPipelines pipelines_;
     SamplerHandle nearest_;
 };

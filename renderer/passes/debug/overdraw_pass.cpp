@@ -18,16 +18,11 @@ Result<OverdrawPass::Outputs> OverdrawPass::add(FramePlan& plan, const Inputs& i
     const uint32_t w = inputs.width, h = inputs.height;
     const Outputs out{plan.createImage({"overdraw", Format::r16f, w, h})};
     const ImageId depth = plan.createImage({"overdraw-depth", Format::depth32f, w, h});
-    const PassTargets::Color colors[] = {{out.count, LoadOp::clear}};
-    PassTargets targets;
-    targets.colors = colors;
-    targets.depth = {depth, LoadOp::clear};
-    plan.addPass<Inputs>("overdraw", targets, inputs, [](const Inputs& in, PassContext& context) {
-        context.commands.push(BindUniforms{RL_UNIFORMS_VIEW, 0, in.viewUniforms});
-        context.commands.push(BindTexelBuffer{
-            RL_TEXTURE_MATERIALS, Format::rgba32ui, {}, in.binder.materials->buffer()});
-        in.binder.record(context.commands, *in.draws);
-    });
+    PassBuilder pass = plan.addPass("overdraw");
+    pass.color(out.count, LoadOp::clear).depth(depth, LoadOp::clear);
+    pass.uniforms(RL_UNIFORMS_VIEW, inputs.viewUniforms);
+    bindMaterials(pass, inputs.binder);
+    pass.record<DrawnList>({inputs.draws, inputs.binder}, DrawnList::record);
     return out;
 }
 

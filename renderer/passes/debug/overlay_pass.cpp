@@ -64,22 +64,19 @@ Result<void> OverlayPass::add(FramePlan& plan, const Inputs& inputs) {
     u.settings = vec4(inputs.target.topRowFirst ? 1 : 0, inputs.image->layer, 0, 0);
     Payload payload;
     payload.pipeline = pipeline_;
-    payload.uniforms = appendUniforms(*inputs.data, u);
     payload.vertices = inputs.data->append(overlay.vertices);
     payload.indices = inputs.data->append(overlay.indices);
-    payload.image = inputs.image->array;
-    payload.sampler = linear_;
     payload.batches = &batches_;
-    PassTargets::Color color;
-    plan.addPass<Payload>("overlay", inputs.target.targets(color, LoadOp::keep), payload, record);
+    PassBuilder pass = plan.addPass("overlay");
+    inputs.target.bind(pass, LoadOp::keep);
+    pass.uniforms(RL_UNIFORMS_PASS, appendUniforms(*inputs.data, u));
+    pass.texture(RL_TEXTURE_SOURCE0, inputs.image->array, linear_);
+    pass.record<Payload>(payload, record);
     return {};
 }
 
-void OverlayPass::record(const Payload& p, PassContext& context) {
-    CommandBuffer& commands = context.commands;
+void OverlayPass::record(const Payload& p, CommandBuffer& commands) {
     commands.push(SetPipeline{p.pipeline});
-    commands.push(BindUniforms{RL_UNIFORMS_PASS, 0, p.uniforms});
-    commands.push(BindTexture{RL_TEXTURE_SOURCE0, p.image, p.sampler});
     commands.push(SetVertexStream{RL_STREAM_POSITION, sizeof(OverlayVertex), p.vertices});
     commands.push(SetIndexStream{p.indices});
     for (const Scissor& batch : *p.batches) {

@@ -31,12 +31,10 @@ private:
     };
     struct Payload {
         PipelineHandle pipeline;
-        BufferRange uniforms, vertices, indices;
-        TextureHandle image;
-        SamplerHandle sampler;
+        BufferRange vertices, indices;
         const std::vector<Scissor>* batches;
     };
-    static void record(const Payload& payload, PassContext& context);
+    static void record(const Payload& payload, CommandBuffer& commands);
 
     Device& device_;
     PipelineHandle pipeline_;

@@ -4,27 +4,6 @@
 #include "shaders/interop/bindings.h"
 
 namespace rushlight {
-namespace {
-
-struct Payload {
-    ImageId normals, depth;
-    LightingBindings lighting;
-    PipelineHandle pipeline;
-    SamplerHandle nearest;
-};
-
-void record(const Payload& p, PassContext& context) {
-    CommandBuffer& commands = context.commands;
-    commands.push(BindUniforms{RL_UNIFORMS_LIGHTING, 0, p.lighting.uniforms});
-    p.lighting.recordProbes(context);
-    commands.push(BindTexture{RL_TEXTURE_GBUFFER1, context.texture(p.normals), p.nearest});
-    commands.push(BindTexture{RL_TEXTURE_DEPTH, context.texture(p.depth), p.nearest});
-    commands.push(SetPipeline{p.pipeline});
-    commands.push(Draw{3, 1, 0});
-}
-
-}  // namespace
-
 IrradiancePass::IrradiancePass(Device& device)
     : device_(device), nearest_(nearestClampSampler(device)) {}
 
@@ -47,15 +26,13 @@ Result<IrradiancePass::Outputs> IrradiancePass::add(FramePlan& plan, const Input
     Outputs out;
     out.tint = plan.createImage({"local-light-tint", Format::rgba16f, w, h});
     out.flow = plan.createImage({"local-light-flow", Format::rgba8, w, h});
-    const PassTargets::Color colors[] = {{out.tint}, {out.flow}};
-    const ImageId reads[] = {inputs.gbuffer.target1, inputs.gbuffer.depth};
-    PassTargets targets;
-    targets.colors = colors;
-    targets.reads = reads;
-    plan.addPass<Payload>(
-        "irradiance", targets,
-        {inputs.gbuffer.target1, inputs.gbuffer.depth, inputs.lighting, pipeline, nearest_},
-        record);
+    PassBuilder pass = plan.addPass("irradiance");
+    pass.color(out.tint).color(out.flow);
+    pass.uniforms(RL_UNIFORMS_LIGHTING, inputs.lighting.uniforms);
+    inputs.lighting.bindProbes(pass);
+    pass.sample(RL_TEXTURE_GBUFFER1, inputs.gbuffer.target1, nearest_);
+    pass.sample(RL_TEXTURE_DEPTH, inputs.gbuffer.depth, nearest_);
+    pass.fullscreen(pipeline);
     return out;
 }
 

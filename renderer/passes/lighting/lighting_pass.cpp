@@ -24,21 +24,15 @@ bool hasBackground(LightingPart part) {
 }
 
 struct Payload {
-    LitScreenBindings screen;
-    PipelineHandle lightingPipeline, backgroundPipeline;
+    PipelineHandle lighting, background;
 };
 
-void record(const Payload& p, PassContext& context) {
-    CommandBuffer& commands = context.commands;
-    const LightingBindings& lighting = p.screen.lighting;
-    p.screen.record(context);
-    commands.push(SetPipeline{p.lightingPipeline});
-    commands.push(Draw{3, 1, 0});
-    if (!p.backgroundPipeline) return;
-    if (lighting.sky)
-        commands.push(BindTexture{RL_TEXTURE_SKY, lighting.sky, lighting.cubeSampler});
-    commands.push(SetPipeline{p.backgroundPipeline});
-    commands.push(Draw{3, 1, 0});
+void record(const Payload& p, CommandBuffer& commands) {
+    for (PipelineHandle pipeline : {p.lighting, p.background}) {
+        if (!pipeline) continue;
+        commands.push(SetPipeline{pipeline});
+        commands.push(Draw{3, 1, 0});
+    }
 }
 
 }  // namespace
@@ -83,66 +77,52 @@ void LightingFeatures::appendDefines(std::vector<std::string_view>& defines) con
     if (reflectionProbes) defines.push_back("REFLECTION_PROBES");
 }
 
-void LightingBindings::record(PassContext& context) const {
-    CommandBuffer& commands = context.commands;
-    commands.push(BindUniforms{RL_UNIFORMS_LIGHTING, 0, uniforms});
-    if (features.shadowCascades > 0)
-        commands.push(BindTexture{RL_TEXTURE_SHADOW, context.texture(shadowMap), shadowSampler});
+void LightingBindings::bind(PassBuilder& pass) const {
+    pass.uniforms(RL_UNIFORMS_LIGHTING, uniforms);
+    if (features.shadowCascades > 0) pass.sample(RL_TEXTURE_SHADOW, shadowMap, shadowSampler);
     if (features.clusteredLights()) {
-        commands.push(BindTexelBuffer{RL_TEXTURE_LIGHTS, Format::rgba32f, {}, lights});
-        commands.push(BindTexelBuffer{RL_TEXTURE_CLUSTERS, Format::r32ui, {}, clusters});
-        commands.push(BindTexelBuffer{RL_TEXTURE_LIGHT_INDICES, Format::r16ui, {}, lightIndices});
+        pass.texels(RL_TEXTURE_LIGHTS, Format::rgba32f, lights);
+        pass.texels(RL_TEXTURE_CLUSTERS, Format::r32ui, clusters);
+        pass.texels(RL_TEXTURE_LIGHT_INDICES, Format::r16ui, lightIndices);
     }
     const bool atlas = features.punctualShadow || features.areaShadow;
-    if (atlas)
-        commands.push(
-            BindTexture{RL_TEXTURE_SHADOW_ATLAS, context.texture(shadowAtlas), shadowSampler});
+    if (atlas) pass.sample(RL_TEXTURE_SHADOW_ATLAS, shadowAtlas, shadowSampler);
     if (atlas || features.secondSuns > 0)
-        commands.push(BindTexelBuffer{RL_TEXTURE_SHADOW_FACES, Format::rgba32f, {}, shadowFaces});
-    if (features.sunGlass)
-        commands.push(BindTexture{RL_TEXTURE_SUN_GLASS, context.texture(sunGlass), linearSampler});
-    if (features.atlasGlass)
-        commands.push(
-            BindTexture{RL_TEXTURE_ATLAS_GLASS, context.texture(atlasGlass), linearSampler});
+        pass.texels(RL_TEXTURE_SHADOW_FACES, Format::rgba32f, shadowFaces);
+    if (features.sunGlass) pass.sample(RL_TEXTURE_SUN_GLASS, sunGlass, linearSampler);
+    if (features.atlasGlass) pass.sample(RL_TEXTURE_ATLAS_GLASS, atlasGlass, linearSampler);
     if (features.lightPatterns)
-        commands.push(BindTexture{RL_TEXTURE_LIGHT_PATTERNS, lightPatterns, patternSampler});
+        pass.texture(RL_TEXTURE_LIGHT_PATTERNS, lightPatterns, patternSampler);
     if (features.environment) {
-        commands.push(BindTexture{RL_TEXTURE_ENVIRONMENT, environment, cubeSampler});
+        pass.texture(RL_TEXTURE_ENVIRONMENT, environment, cubeSampler);
         if (!features.irradianceVolume)
-            commands.push(BindTexture{RL_TEXTURE_IRRADIANCE, irradiance, cubeSampler});
+            pass.texture(RL_TEXTURE_IRRADIANCE, irradiance, cubeSampler);
     }
     if (features.reflectionProbes) {
-        commands.push(BindTexture{RL_TEXTURE_REFLECTION_CUBES, reflectionCubes, cubeSampler});
+        pass.texture(RL_TEXTURE_REFLECTION_CUBES, reflectionCubes, cubeSampler);
         if (!features.irradianceVolume)
-            commands.push(
-                BindTexture{RL_TEXTURE_REFLECTION_IRRADIANCE, reflectionIrradiance, cubeSampler});
-        commands.push(
-            BindTexelBuffer{RL_TEXTURE_REFLECTION_RECORDS, Format::rgba32f, {}, reflectionRecords});
+            pass.texture(RL_TEXTURE_REFLECTION_IRRADIANCE, reflectionIrradiance, cubeSampler);
+        pass.texels(RL_TEXTURE_REFLECTION_RECORDS, Format::rgba32f, reflectionRecords);
     }
-    if (features.areaLights) commands.push(BindTexture{RL_TEXTURE_LTC, ltcTable, linearSampler});
-    commands.push(BindTexture{RL_TEXTURE_BRDF_TABLE, brdfTable, linearSampler});
+    if (features.areaLights) pass.texture(RL_TEXTURE_LTC, ltcTable, linearSampler);
+    pass.texture(RL_TEXTURE_BRDF_TABLE, brdfTable, linearSampler);
 }
 
-void LightingBindings::recordProbes(PassContext& context) const {
-    CommandBuffer& commands = context.commands;
-    commands.push(BindTexture{RL_TEXTURE_PROBE_DISTANCES, probeDistances, linearSampler});
-    commands.push(BindTexelBuffer{RL_TEXTURE_PROBE_RECORDS, Format::rgba32ui, {}, probeRecords});
+void LightingBindings::bindProbes(PassBuilder& pass) const {
+    pass.texture(RL_TEXTURE_PROBE_DISTANCES, probeDistances, linearSampler);
+    pass.texels(RL_TEXTURE_PROBE_RECORDS, Format::rgba32ui, probeRecords);
 }
 
-void LitScreenBindings::record(PassContext& context) const {
-    lighting.record(context);
-    const auto bind = [&](uint32_t slot, ImageId image) {
-        context.commands.push(BindTexture{slot, context.texture(image), nearest});
-    };
-    bind(RL_TEXTURE_GBUFFER0, gbuffer.target0);
-    bind(RL_TEXTURE_GBUFFER1, gbuffer.target1);
-    bind(RL_TEXTURE_GBUFFER2, gbuffer.target2);
-    bind(RL_TEXTURE_DEPTH, gbuffer.depth);
-    if (ambientOcclusion) bind(RL_TEXTURE_AMBIENT_OCCLUSION, ambientOcclusion);
+void LitScreenBindings::bind(PassBuilder& pass) const {
+    lighting.bind(pass);
+    pass.sample(RL_TEXTURE_GBUFFER0, gbuffer.target0, nearest);
+    pass.sample(RL_TEXTURE_GBUFFER1, gbuffer.target1, nearest);
+    pass.sample(RL_TEXTURE_GBUFFER2, gbuffer.target2, nearest);
+    pass.sample(RL_TEXTURE_DEPTH, gbuffer.depth, nearest);
+    pass.sample(RL_TEXTURE_AMBIENT_OCCLUSION, ambientOcclusion, nearest);
     if (!lighting.features.irradianceVolume) return;
-    bind(RL_TEXTURE_LOCAL_TINT, localTint);
-    context.commands.push(
-        BindTexture{RL_TEXTURE_LOCAL_FLOW, context.texture(localFlow), lighting.linearSampler});
+    pass.sample(RL_TEXTURE_LOCAL_TINT, localTint, nearest);
+    pass.sample(RL_TEXTURE_LOCAL_FLOW, localFlow, lighting.linearSampler);
 }
 
 LightingPass::LightingPass(Device& device)
@@ -205,30 +185,17 @@ Result<LightingPass::Outputs> LightingPass::add(FramePlan& plan, const Inputs& i
     const bool whole = inputs.part == LightingPart::all;
     out.radiance = plan.createImage(
         {whole ? "radiance" : toText(inputs.part), Format::rgba16f, inputs.width, inputs.height});
-    const PassTargets::Color colors[] = {
-        {out.radiance, hasBackground(inputs.part) ? LoadOp::discard : LoadOp::clear, {0, 0, 0, 1}}};
     const GBufferPass::Outputs& g = inputs.gbuffer;
-    const ImageId reads[] = {g.target0,
-                             g.target1,
-                             g.target2,
-                             g.depth,
-                             inputs.lighting.shadowMap,
-                             inputs.lighting.shadowAtlas,
-                             inputs.lighting.sunGlass,
-                             inputs.lighting.atlasGlass,
-                             inputs.ambientOcclusion,
-                             inputs.localTint,
-                             inputs.localFlow};
-    PassTargets targets;
-    targets.colors = colors;
-    targets.depth = {g.depth, LoadOp::keep, 0, true};
-    targets.reads = reads;
-    plan.addPass<Payload>(whole ? "lighting" : "lighting.part", targets,
-                          {{g, inputs.lighting, inputs.ambientOcclusion, inputs.localTint,
-                            inputs.localFlow, nearest_},
-                           entry->lighting,
-                           hasBackground(inputs.part) ? entry->background : PipelineHandle{}},
-                          record);
+    const bool background = hasBackground(inputs.part);
+    PassBuilder pass = plan.addPass(whole ? "lighting" : "lighting.part");
+    pass.color(out.radiance, background ? LoadOp::discard : LoadOp::clear, {0, 0, 0, 1});
+    pass.depthTest(g.depth);
+    LitScreenBindings{
+        g, inputs.lighting, inputs.ambientOcclusion, inputs.localTint, inputs.localFlow, nearest_}
+        .bind(pass);
+    if (background) pass.texture(RL_TEXTURE_SKY, inputs.lighting.sky, inputs.lighting.cubeSampler);
+    pass.record<Payload>({entry->lighting, background ? entry->background : PipelineHandle{}},
+                         record);
     return out;
 }
 

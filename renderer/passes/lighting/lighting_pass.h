@@ -68,9 +68,9 @@ struct LightingBindings {
     TextureHandle reflectionCubes, reflectionIrradiance;  ///< with reflection probes: arrays
     BufferRange reflectionRecords;
 
-    void record(PassContext& context) const;
+    void bind(PassBuilder& pass) const;
     /// The irradiance volume itself, for passes that look it up.
-    void recordProbes(PassContext& context) const;
+    void bindProbes(PassBuilder& pass) const;
 };
 
 /// What a full-screen pass reads to light the surfaces of the G-buffer, or to light them otherwise
@@ -82,7 +82,7 @@ struct LitScreenBindings {
     ImageId localTint, localFlow;  ///< with an irradiance volume
     SamplerHandle nearest;
 
-    void record(PassContext& context) const;
+    void bind(PassBuilder& pass) const;
 };
 
 /// What of the lit radiance is drawn; all of it in any frame that is meant to be seen.

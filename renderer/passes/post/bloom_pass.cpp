@@ -43,14 +43,11 @@ Result<BloomPass::Outputs> BloomPass::add(FramePlan& plan, const Inputs& inputs)
         interop::PassUniforms u{};
         u.sourceTexel = vec4(1.0f / float(from.width), 1.0f / float(from.height), 0, 0);
         u.settings.x = kSpread;
-        FullscreenDraw draw{pipeline, appendUniforms(*inputs.data, u), {}};
-        draw.textures[0] = {RL_TEXTURE_SOURCE0, from.image, linear_};
-        const PassTargets::Color colors[] = {{to.image, load}};
-        const ImageId reads[] = {from.image};
-        PassTargets targets;
-        targets.colors = colors;
-        targets.reads = reads;
-        plan.addPass<FullscreenDraw>(name, targets, draw, FullscreenDraw::record);
+        PassBuilder pass = plan.addPass(name);
+        pass.color(to.image, load);
+        pass.uniforms(RL_UNIFORMS_PASS, appendUniforms(*inputs.data, u));
+        pass.sample(RL_TEXTURE_SOURCE0, from.image, linear_);
+        pass.fullscreen(pipeline);
     };
 
     std::array<Level, kMaxLevels> levels;

@@ -61,24 +61,18 @@ Result<ExposurePass::Outputs> ExposurePass::add(FramePlan& plan, const Inputs& i
     const BufferRange uniforms = appendUniforms(*inputs.data, u);
 
     {
-        FullscreenDraw draw{*luminance, uniforms, {}};
-        draw.textures[0] = {RL_TEXTURE_SOURCE0, inputs.source, linear_};
-        const PassTargets::Color colors[] = {{means, LoadOp::discard}};
-        const ImageId reads[] = {inputs.source};
-        PassTargets targets;
-        targets.colors = colors;
-        targets.reads = reads;
-        plan.addPass<FullscreenDraw>("luminance", targets, draw, FullscreenDraw::record);
+        PassBuilder pass = plan.addPass("luminance");
+        pass.color(means);
+        pass.uniforms(RL_UNIFORMS_PASS, uniforms);
+        pass.sample(RL_TEXTURE_SOURCE0, inputs.source, linear_);
+        pass.fullscreen(*luminance);
     }
-    FullscreenDraw draw{*exposure, uniforms, {}};
-    draw.textures[0] = {RL_TEXTURE_SOURCE0, means, nearest_};
-    draw.textures[1] = {RL_TEXTURE_SOURCE1, *previous, nearest_};
-    const PassTargets::Color colors[] = {{*now, LoadOp::discard}};
-    const ImageId reads[] = {means, *previous};
-    PassTargets targets;
-    targets.colors = colors;
-    targets.reads = reads;
-    plan.addPass<FullscreenDraw>("exposure", targets, draw, FullscreenDraw::record);
+    PassBuilder pass = plan.addPass("exposure");
+    pass.color(*now);
+    pass.uniforms(RL_UNIFORMS_PASS, uniforms);
+    pass.sample(RL_TEXTURE_SOURCE0, means, nearest_);
+    pass.sample(RL_TEXTURE_SOURCE1, *previous, nearest_);
+    pass.fullscreen(*exposure);
     return Outputs{*now};
 }
 

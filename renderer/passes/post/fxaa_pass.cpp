@@ -12,13 +12,11 @@ Result<void> FxaaPass::add(FramePlan& plan, const Inputs& inputs) {
     u.sourceTexel = vec4(1.0f / float(inputs.target.width), 1.0f / float(inputs.target.height), 0,
                          0);
     u.counts.w = inputs.target.topRowFirst ? 1.0f : 0.0f;
-    FullscreenDraw draw{*pipeline, appendUniforms(*inputs.data, u), {}};
-    draw.textures[0] = {RL_TEXTURE_SOURCE0, inputs.display, linear_};
-    const ImageId reads[] = {inputs.display};
-    PassTargets::Color color;
-    PassTargets targets = inputs.target.targets(color, LoadOp::discard);
-    targets.reads = reads;
-    plan.addPass<FullscreenDraw>("fxaa", targets, draw, FullscreenDraw::record);
+    PassBuilder pass = plan.addPass("fxaa");
+    inputs.target.bind(pass, LoadOp::discard);
+    pass.uniforms(RL_UNIFORMS_PASS, appendUniforms(*inputs.data, u));
+    pass.sample(RL_TEXTURE_SOURCE0, inputs.display, linear_);
+    pass.fullscreen(*pipeline);
     return {};
 }
 

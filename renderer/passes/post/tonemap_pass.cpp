@@ -40,15 +40,13 @@ Result<void> TonemapPass::add(FramePlan& plan, const Inputs& inputs) {
     u.settings.x = inputs.settings->bloomStrength;
     u.settings.y = exposureFactor(*inputs.settings);
     u.counts.w = inputs.target.topRowFirst ? 1.0f : 0.0f;
-    FullscreenDraw draw{*pipeline, appendUniforms(*inputs.data, u), {}};
-    draw.textures[0] = {RL_TEXTURE_SOURCE0, inputs.radiance, nearest_};
-    draw.textures[1] = {RL_TEXTURE_SOURCE1, inputs.bloom, linear_};
-    draw.textures[2] = {RL_TEXTURE_SOURCE2, inputs.exposure, nearest_};
-    const ImageId reads[] = {inputs.radiance, inputs.bloom, inputs.exposure};
-    PassTargets::Color color;
-    PassTargets targets = inputs.target.targets(color, LoadOp::discard);
-    targets.reads = reads;
-    plan.addPass<FullscreenDraw>("tonemap", targets, draw, FullscreenDraw::record);
+    PassBuilder pass = plan.addPass("tonemap");
+    inputs.target.bind(pass, LoadOp::discard);
+    pass.uniforms(RL_UNIFORMS_PASS, appendUniforms(*inputs.data, u));
+    pass.sample(RL_TEXTURE_SOURCE0, inputs.radiance, nearest_);
+    pass.sample(RL_TEXTURE_SOURCE1, inputs.bloom, linear_);
+    pass.sample(RL_TEXTURE_SOURCE2, inputs.exposure, nearest_);
+    pass.fullscreen(*pipeline);
     return {};
 }
 

@@ -3,38 +3,6 @@
 #include "shaders/interop/bindings.h"
 
 namespace rushlight {
-namespace {
-
-struct ScatterPayload {
-    LightingBindings lighting;
-    PipelineHandle pipeline;
-};
-
-void recordScatter(const ScatterPayload& p, PassContext& context) {
-    p.lighting.record(context);
-    if (p.lighting.features.irradianceVolume) p.lighting.recordProbes(context);
-    context.commands.push(SetPipeline{p.pipeline});
-    context.commands.push(Draw{3, 1, 0});
-}
-
-/// A pass that reads up to two images and the lighting uniforms.
-struct SumPayload {
-    BufferRange uniforms;
-    PipelineHandle pipeline;
-    FullscreenDraw::Texture textures[2];
-};
-
-void recordSum(const SumPayload& p, PassContext& context) {
-    context.commands.push(BindUniforms{RL_UNIFORMS_LIGHTING, 0, p.uniforms});
-    for (const FullscreenDraw::Texture& t : p.textures)
-        if (t.image)
-            context.commands.push(BindTexture{t.slot, context.texture(t.image), t.sampler});
-    context.commands.push(SetPipeline{p.pipeline});
-    context.commands.push(Draw{3, 1, 0});
-}
-
-}  // namespace
-
 FogPass::FogPass(Device& device)
     : device_(device), nearest_(nearestClampSampler(device)), linear_(linearClampSampler(device)) {}
 
@@ -94,25 +62,18 @@ Result<FogPass::Outputs> FogPass::add(FramePlan& plan, const Inputs& inputs) {
     const ImageId slices = image("fog-slices"), rows = image("fog-blocks");
     Outputs out{image("fog")};
     {
-        const PassTargets::Color colors[] = {{slices, LoadOp::discard}};
-        const ImageId reads[] = {inputs.lighting.shadowMap, inputs.lighting.shadowAtlas,
-                                 inputs.lighting.sunGlass, inputs.lighting.atlasGlass};
-        PassTargets targets;
-        targets.colors = colors;
-        targets.reads = reads;
-        plan.addPass<ScatterPayload>("fog.scatter", targets, {inputs.lighting, *scatter},
-                                     recordScatter);
+        PassBuilder pass = plan.addPass("fog.scatter");
+        pass.color(slices);
+        inputs.lighting.bind(pass);
+        if (inputs.lighting.features.irradianceVolume) inputs.lighting.bindProbes(pass);
+        pass.fullscreen(*scatter);
     }
     const auto sum = [&](const char* name, ImageId from, ImageId to, PipelineHandle pipeline) {
-        const PassTargets::Color colors[] = {{to, LoadOp::discard}};
-        const ImageId reads[] = {from};
-        PassTargets targets;
-        targets.colors = colors;
-        targets.reads = reads;
-        plan.addPass<SumPayload>(
-            name, targets,
-            {inputs.lighting.uniforms, pipeline, {{RL_TEXTURE_SOURCE0, from, nearest_}, {}}},
-            recordSum);
+        PassBuilder pass = plan.addPass(name);
+        pass.color(to);
+        pass.uniforms(RL_UNIFORMS_LIGHTING, inputs.lighting.uniforms);
+        pass.sample(RL_TEXTURE_SOURCE0, from, nearest_);
+        pass.fullscreen(pipeline);
     };
     sum("fog.blocks", slices, rows, *blocks);
     sum("fog.join", rows, out.fog, *join);
@@ -122,18 +83,12 @@ Result<FogPass::Outputs> FogPass::add(FramePlan& plan, const Inputs& inputs) {
 Result<void> FogPass::apply(FramePlan& plan, const Target& target) {
     const auto pipeline = findApply(target.orthographic);
     if (!pipeline) return tl::unexpected(pipeline.error());
-    const PassTargets::Color colors[] = {
-        {target.radiance, target.clear ? LoadOp::clear : LoadOp::keep}};
-    const ImageId reads[] = {target.fog, target.depth};
-    PassTargets targets;
-    targets.colors = colors;
-    targets.reads = reads;
-    plan.addPass<SumPayload>(
-        "fog", targets,
-        {target.uniforms,
-         *pipeline,
-         {{RL_TEXTURE_FOG, target.fog, linear_}, {RL_TEXTURE_DEPTH, target.depth, nearest_}}},
-        recordSum);
+    PassBuilder pass = plan.addPass("fog");
+    pass.color(target.radiance, target.clear ? LoadOp::clear : LoadOp::keep);
+    pass.uniforms(RL_UNIFORMS_LIGHTING, target.uniforms);
+    pass.sample(RL_TEXTURE_FOG, target.fog, linear_);
+    pass.sample(RL_TEXTURE_DEPTH, target.depth, nearest_);
+    pass.fullscreen(*pipeline);
     return {};
 }
 

@@ -52,24 +52,18 @@ Result<GtaoPass::Outputs> GtaoPass::add(FramePlan& plan, const Inputs& inputs) {
     const ImageId noisy = plan.createImage({"gtao-pattern", Format::rgba32f, w, h});
     const ImageId occlusion = plan.createImage({"ambient-occlusion", Format::rgba32f, w, h});
     {
-        FullscreenDraw draw{*search, uniforms, {}};
-        draw.textures[0] = {RL_TEXTURE_GBUFFER1, inputs.gbuffer.target1, nearest_};
-        draw.textures[1] = {RL_TEXTURE_DEPTH, inputs.gbuffer.depth, nearest_};
-        const PassTargets::Color colors[] = {{noisy}};
-        const ImageId reads[] = {inputs.gbuffer.target1, inputs.gbuffer.depth};
-        PassTargets targets;
-        targets.colors = colors;
-        targets.reads = reads;
-        plan.addPass<FullscreenDraw>("gtao", targets, draw, FullscreenDraw::record);
+        PassBuilder pass = plan.addPass("gtao");
+        pass.color(noisy);
+        pass.uniforms(RL_UNIFORMS_PASS, uniforms);
+        pass.sample(RL_TEXTURE_GBUFFER1, inputs.gbuffer.target1, nearest_);
+        pass.sample(RL_TEXTURE_DEPTH, inputs.gbuffer.depth, nearest_);
+        pass.fullscreen(*search);
     }
-    FullscreenDraw draw{*denoise, uniforms, {}};
-    draw.textures[0] = {RL_TEXTURE_SOURCE0, noisy, nearest_};
-    const PassTargets::Color colors[] = {{occlusion}};
-    const ImageId reads[] = {noisy};
-    PassTargets targets;
-    targets.colors = colors;
-    targets.reads = reads;
-    plan.addPass<FullscreenDraw>("gtao.denoise", targets, draw, FullscreenDraw::record);
+    PassBuilder pass = plan.addPass("gtao.denoise");
+    pass.color(occlusion);
+    pass.uniforms(RL_UNIFORMS_PASS, uniforms);
+    pass.sample(RL_TEXTURE_SOURCE0, noisy, nearest_);
+    pass.fullscreen(*denoise);
     return Outputs{occlusion};
 }
 

@@ -23,15 +23,18 @@ Result<PyramidPass::Outputs> PyramidPass::add(FramePlan& plan, const Inputs& inp
         std::span<const interop::ScreenUniforms>(&inputs.screen, 1));
     const uint32_t w = halfSize(inputs.width), h = halfSize(inputs.height);
     const uint32_t fullWidth = w + halfSize(w), fullHeight = (h + 15) & ~15u;
-    const auto step = [&](const char* name, PipelineHandle pipeline,
-                          const FullscreenDraw::Texture(&sources)[2], const Outputs& to) {
-        FullscreenDraw draw{pipeline, uniforms, {sources[0], sources[1]}};
-        const PassTargets::Color colors[] = {{to.radiance}, {to.nearest}};
-        const ImageId reads[] = {sources[0].image, sources[1].image};
-        PassTargets targets;
-        targets.colors = colors;
-        targets.reads = reads;
-        plan.addPass<FullscreenDraw>(name, targets, draw, FullscreenDraw::record);
+    struct Source {
+        uint32_t slot;
+        ImageId image;
+        SamplerHandle sampler;
+    };
+    const auto step = [&](const char* name, PipelineHandle pipeline, const Source(&sources)[2],
+                          const Outputs& to) {
+        PassBuilder pass = plan.addPass(name);
+        pass.color(to.radiance).color(to.nearest);
+        pass.uniforms(RL_UNIFORMS_PASS, uniforms);
+        for (const Source& source : sources) pass.sample(source.slot, source.image, source.sampler);
+        pass.fullscreen(pipeline);
     };
     const Outputs half{plan.createImage({"pyramid-base-radiance", Format::rgba16f, w, h}),
                        plan.createImage({"pyramid-base-depth", Format::r32f, w, h})};

@@ -6,19 +6,15 @@
 namespace rushlight {
 namespace {
 
-struct Payload {
-    LitScreenBindings screen;
-    ImageId reflections;
-    PipelineHandle pipeline;
-};
-
-void record(const Payload& p, PassContext& context) {
-    CommandBuffer& commands = context.commands;
-    p.screen.record(context);
-    commands.push(
-        BindTexture{RL_TEXTURE_SOURCE0, context.texture(p.reflections), p.screen.nearest});
-    commands.push(SetPipeline{p.pipeline});
-    commands.push(Draw{3, 1, 0});
+/// No light but the ambient one is needed.
+LightingFeatures ambientOnly(const LightingFeatures& lit) {
+    LightingFeatures f;
+    f.environment = lit.environment;
+    f.hemisphere = lit.hemisphere;
+    f.orthographic = lit.orthographic;
+    f.irradianceVolume = lit.irradianceVolume;
+    f.reflectionProbes = lit.reflectionProbes;
+    return f;
 }
 
 }  // namespace
@@ -39,14 +35,8 @@ Result<PipelineHandle> ReflectionsPass::findComposite(const Inputs& inputs) {
                               uint32_t(lit.reflectionProbes) << 6;
     for (const Composite& known : composites_)
         if (known.features == features) return known.pipeline;
-    LightingFeatures ambient;  // of lighting's, what the mirrored environment needs
-    ambient.environment = lit.environment;
-    ambient.hemisphere = lit.hemisphere;
-    ambient.orthographic = lit.orthographic;
-    ambient.irradianceVolume = lit.irradianceVolume;
-    ambient.reflectionProbes = lit.reflectionProbes;
     std::vector<std::string_view> defines;
-    ambient.appendDefines(defines);
+    ambientOnly(lit).appendDefines(defines);
     if (inputs.ambientOcclusion) defines.push_back("AMBIENT_OCCLUSION");
     if (inputs.alone) defines.push_back("SHOW_REFLECTIONS");
     PipelineDesc desc;
@@ -67,17 +57,14 @@ ImageId ReflectionsPass::addTrace(FramePlan& plan, const Inputs& inputs, Pipelin
         {"reflections", Format::rgba32f, halfSize(inputs.width), halfSize(inputs.height)});
     const BufferRange uniforms = inputs.data->append(
         std::span<const interop::ScreenUniforms>(&inputs.screen, 1));
-    FullscreenDraw draw{pipeline, uniforms, {}};
-    draw.textures[0] = {RL_TEXTURE_GBUFFER1, g.target1, nearest_};
-    draw.textures[1] = {RL_TEXTURE_DEPTH, g.depth, nearest_};
-    draw.textures[2] = {RL_TEXTURE_SOURCE0, inputs.pyramid.radiance, linear_};
-    draw.textures[3] = {RL_TEXTURE_SOURCE1, inputs.pyramid.nearest, nearest_};
-    const PassTargets::Color colors[] = {{traced}};
-    const ImageId reads[] = {g.target1, g.depth, inputs.pyramid.radiance, inputs.pyramid.nearest};
-    PassTargets targets;
-    targets.colors = colors;
-    targets.reads = reads;
-    plan.addPass<FullscreenDraw>("reflections.trace", targets, draw, FullscreenDraw::record);
+    PassBuilder pass = plan.addPass("reflections.trace");
+    pass.color(traced);
+    pass.uniforms(RL_UNIFORMS_PASS, uniforms);
+    pass.sample(RL_TEXTURE_GBUFFER1, g.target1, nearest_);
+    pass.sample(RL_TEXTURE_DEPTH, g.depth, nearest_);
+    pass.sample(RL_TEXTURE_SOURCE0, inputs.pyramid.radiance, linear_);
+    pass.sample(RL_TEXTURE_SOURCE1, inputs.pyramid.nearest, nearest_);
+    pass.fullscreen(pipeline);
     return traced;
 }
 
@@ -95,28 +82,16 @@ Result<ReflectionsPass::Outputs> ReflectionsPass::add(FramePlan& plan, const Inp
     if (inputs.alone)
         out.radiance = plan.createImage(
             {"reflections-alone", Format::rgba16f, inputs.width, inputs.height});
-    LightingBindings lighting = inputs.lighting;  // no light but the ambient one is needed
-    lighting.features.shadowCascades = 0;
-    lighting.features.plainLights = lighting.features.modulatedLights = false;
-    lighting.features.areaLights = false;
-    lighting.features.punctualShadow = lighting.features.areaShadow = false;
-    lighting.features.secondSuns = 0;
-    lighting.features.sunGlass = lighting.features.atlasGlass = false;
-    const PassTargets::Color colors[] = {
-        {out.radiance, inputs.alone ? LoadOp::clear : LoadOp::keep, vec4(0, 0, 0, 1)}};
-    const ImageId reads[] = {g.target0,        g.target1,       g.target2,
-                             g.depth,          traced,          inputs.ambientOcclusion,
-                             inputs.localTint, inputs.localFlow};
-    PassTargets targets;
-    targets.colors = colors;
-    targets.depth = {g.depth, LoadOp::keep, 0, true};
-    targets.reads = reads;
-    plan.addPass<Payload>(
-        "reflections", targets,
-        {{g, lighting, inputs.ambientOcclusion, inputs.localTint, inputs.localFlow, nearest_},
-         traced,
-         *composite},
-        record);
+    LightingBindings lighting = inputs.lighting;
+    lighting.features = ambientOnly(inputs.lighting.features);
+    PassBuilder pass = plan.addPass("reflections");
+    pass.color(out.radiance, inputs.alone ? LoadOp::clear : LoadOp::keep, vec4(0, 0, 0, 1));
+    pass.depthTest(g.depth);
+    LitScreenBindings{
+        g, lighting, inputs.ambientOcclusion, inputs.localTint, inputs.localFlow, nearest_}
+        .bind(pass);
+    pass.sample(RL_TEXTURE_SOURCE0, traced, nearest_);
+    pass.fullscreen(*composite);
     return out;
 }
 

@@ -16,11 +16,6 @@ void enter(const ShadowDraw& draw, CommandBuffer& commands) {
     commands.push(SetScissor{t.x, t.y, t.size, t.size});
 }
 
-void bindMaterials(const DrawBinder& binder, CommandBuffer& commands) {
-    commands.push(
-        BindTexelBuffer{RL_TEXTURE_MATERIALS, Format::rgba32ui, {}, binder.materials->buffer()});
-}
-
 }  // namespace
 
 ShadowAtlasPass::ShadowAtlasPass(Device& device)
@@ -48,15 +43,13 @@ Result<void> ShadowAtlasPass::createPipelines() {
     return {};
 }
 
-void ShadowAtlasPass::recordLayer(const Payload& p, PassContext& context) {
-    CommandBuffer& commands = context.commands;
+void ShadowAtlasPass::recordLayer(const Payload& p, CommandBuffer& commands) {
     commands.push(SetPipeline{p.clear});
     for (const ShadowDraw& draw : p.draws) {
         if (!draw.layerCasters) continue;
         enter(draw, commands);
         commands.push(Draw{3, 1, 0});
     }
-    bindMaterials(p.binder, commands);
     for (const ShadowDraw& draw : p.draws) {
         if (!draw.layerCasters) continue;
         enter(draw, commands);
@@ -65,23 +58,16 @@ void ShadowAtlasPass::recordLayer(const Payload& p, PassContext& context) {
     }
 }
 
-void ShadowAtlasPass::recordAtlas(const Payload& p, PassContext& context) {
-    CommandBuffer& commands = context.commands;
+void ShadowAtlasPass::recordAtlas(const Payload& p, CommandBuffer& commands) {
     for (const bool copies : {false, true}) {
         bool first = true;
         for (const ShadowDraw& draw : p.draws) {
             if (draw.fromLayer != copies) continue;
-            if (std::exchange(first, false)) {
-                commands.push(SetPipeline{copies ? p.copy : p.clear});
-                if (copies)
-                    commands.push(
-                        BindTexture{RL_TEXTURE_SOURCE0, context.texture(p.layer), p.nearest});
-            }
+            if (std::exchange(first, false)) commands.push(SetPipeline{copies ? p.copy : p.clear});
             enter(draw, commands);
             commands.push(Draw{3, 1, 0});
         }
     }
-    bindMaterials(p.binder, commands);
     for (const ShadowDraw& draw : p.draws) {
         if (!draw.still && !draw.moving) continue;
         enter(draw, commands);
@@ -117,24 +103,26 @@ Result<ShadowAtlasPass::Outputs> ShadowAtlasPass::add(FramePlan& plan, const Inp
     uint32_t generation = 0;
     const auto atlas = import(AtlasGenerations::kAtlas, generation);
     if (!atlas) return tl::unexpected(atlas.error());
-    Payload payload{in.draws, in.binder, clear_, copy_, {}, nearest_};
+    const Payload payload{in.draws, in.binder, clear_, copy_};
+    ImageId still;
     if (usesLayer) {
         uint32_t ofLayer = 0;
         const auto layer = import(AtlasGenerations::kStill, ofLayer);
         if (!layer) return tl::unexpected(layer.error());
-        payload.layer = *layer;
+        still = *layer;
         if (drawsLayer) {
-            PassTargets targets;
-            targets.depth = {payload.layer, loadOp(in.history->still, ofLayer)};
-            plan.addPass<Payload>("shadow.still", targets, payload, recordLayer);
+            PassBuilder pass = plan.addPass("shadow.still");
+            pass.depth(still, loadOp(in.history->still, ofLayer));
+            bindMaterials(pass, in.binder);
+            pass.record<Payload>(payload, recordLayer);
         }
     }
     if (!in.draws.empty()) {
-        const ImageId reads[] = {payload.layer};
-        PassTargets targets;
-        targets.depth = {*atlas, loadOp(in.history->atlas, generation)};
-        targets.reads = reads;
-        plan.addPass<Payload>("shadow.atlas", targets, payload, recordAtlas);
+        PassBuilder pass = plan.addPass("shadow.atlas");
+        pass.depth(*atlas, loadOp(in.history->atlas, generation));
+        pass.sample(RL_TEXTURE_SOURCE0, still, nearest_);
+        bindMaterials(pass, in.binder);
+        pass.record<Payload>(payload, recordAtlas);
     }
     return Outputs{*atlas};
 }

@@ -41,11 +41,9 @@ private:
         std::span<const ShadowDraw> draws;
         DrawBinder binder;
         PipelineHandle clear, copy;
-        ImageId layer;
-        SamplerHandle nearest;
     };
-    static void recordLayer(const Payload&, PassContext&);
-    static void recordAtlas(const Payload&, PassContext&);
+    static void recordLayer(const Payload&, CommandBuffer&);
+    static void recordAtlas(const Payload&, CommandBuffer&);
     Result<void> createPipelines();
 
     Device& device_;

@@ -15,24 +15,6 @@ constexpr const char* kPassNames[kMaxSunViews] = {
     "shadow.glass.5", "shadow.glass.6", "shadow.glass.7", "shadow.glass.8", "shadow.glass.9"};
 constexpr vec4 kNothing{1, 1, 1, 0};  // white, infinitely far
 
-struct SunPayload {
-    const DrawList* casters;
-    BufferRange viewUniforms;
-    DrawBinder binder;
-};
-
-void bindMaterials(const DrawBinder& binder, CommandBuffer& commands) {
-    commands.push(
-        BindTexelBuffer{RL_TEXTURE_MATERIALS, Format::rgba32ui, {}, binder.materials->buffer()});
-}
-
-void recordSun(const SunPayload& payload, PassContext& context) {
-    if (payload.casters->batches.empty()) return;
-    context.commands.push(BindUniforms{RL_UNIFORMS_VIEW, 0, payload.viewUniforms});
-    bindMaterials(payload.binder, context.commands);
-    payload.binder.record(context.commands, *payload.casters);
-}
-
 // Of a view without such casters too: 0 stands for "nothing known".
 uint64_t contentOf(const ShadowGlassPass::SunView& view) {
     if (view.casters->items.empty()) return 1;
@@ -77,12 +59,11 @@ Result<ShadowGlassPass::SunOutputs> ShadowGlassPass::addSun(FramePlan& plan, con
         out.drawnViews |= 1u << i;
         if (auto ok = sunPipelines_.assign(*view.casters, kParallel); !ok)
             return tl::unexpected(ok.error());
-        const PassTargets::Color colors[] = {{out.glass, LoadOp::clear, kNothing, i}};
-        PassTargets targets;
-        targets.colors = colors;
-        targets.depth = {in.map, LoadOp::keep, i, true};
-        plan.addPass<SunPayload>(kPassNames[i], targets, {view.casters, view.uniforms, in.binder},
-                                 recordSun);
+        PassBuilder pass = plan.addPass(kPassNames[i]);
+        pass.color(out.glass, LoadOp::clear, kNothing, i).depthTest(in.map, i);
+        pass.uniforms(RL_UNIFORMS_VIEW, view.uniforms);
+        bindMaterials(pass, in.binder);
+        pass.record<DrawnList>({view.casters, in.binder}, DrawnList::record);
     }
     return out;
 }
@@ -99,8 +80,7 @@ Result<void> ShadowGlassPass::createClear() {
     return {};
 }
 
-void ShadowGlassPass::recordAtlas(const AtlasPayload& p, PassContext& context) {
-    CommandBuffer& commands = context.commands;
+void ShadowGlassPass::recordAtlas(const AtlasPayload& p, CommandBuffer& commands) {
     const auto enter = [&](const GlassDraw& draw) {
         const ShadowTile& t = draw.face->tile;
         commands.push(SetViewport{t.x, t.y, t.size, t.size});
@@ -111,7 +91,6 @@ void ShadowGlassPass::recordAtlas(const AtlasPayload& p, PassContext& context) {
         enter(draw);
         commands.push(Draw{3, 1, 0});
     }
-    bindMaterials(p.binder, commands);
     for (const GlassDraw& draw : p.draws) {
         if (!draw.casters) continue;
         enter(draw);
@@ -136,12 +115,10 @@ Result<ImageId> ShadowGlassPass::addAtlas(FramePlan& plan, const AtlasInputs& in
     // What no tile covers is written once, so that the map's hash is of known bytes.
     const bool isNew = std::exchange(in.history->glass, image->generation) != image->generation;
     const LoadOp load = isNew ? LoadOp::clear : LoadOp::keep;
-    const PassTargets::Color colors[] = {{glass, load, kNothing}};
-    PassTargets targets;
-    targets.colors = colors;
-    targets.depth = {in.atlas, LoadOp::keep, 0, true};
-    plan.addPass<AtlasPayload>("shadow.atlas.glass", targets, {in.draws, in.binder, clear_},
-                               recordAtlas);
+    PassBuilder pass = plan.addPass("shadow.atlas.glass");
+    pass.color(glass, load, kNothing).depthTest(in.atlas);
+    bindMaterials(pass, in.binder);
+    pass.record<AtlasPayload>({in.draws, in.binder, clear_}, recordAtlas);
     return glass;
 }
 

@@ -56,7 +56,7 @@ private:
         DrawBinder binder;
         PipelineHandle clear;
     };
-    static void recordAtlas(const AtlasPayload&, PassContext&);
+    static void recordAtlas(const AtlasPayload&, CommandBuffer&);
     Result<void> createClear();
 
     Device& device_;

@@ -13,19 +13,6 @@ constexpr const char* kPassNames[kMaxSunViews] = {"shadow.0", "shadow.1", "shado
                                                   "shadow.4", "shadow.5", "shadow.6", "shadow.7",
                                                   "shadow.8", "shadow.9"};
 
-struct Payload {
-    const DrawList* casters;
-    BufferRange viewUniforms;
-    DrawBinder binder;
-};
-
-void record(const Payload& payload, PassContext& context) {
-    context.commands.push(BindUniforms{RL_UNIFORMS_VIEW, 0, payload.viewUniforms});
-    context.commands.push(BindTexelBuffer{
-        RL_TEXTURE_MATERIALS, Format::rgba32ui, {}, payload.binder.materials->buffer()});
-    payload.binder.record(context.commands, *payload.casters);
-}
-
 }  // namespace
 
 // Casters are drawn where they are: what keeps surfaces from shading themselves is at the receivers
@@ -62,10 +49,11 @@ Result<ShadowPass::Outputs> ShadowPass::add(FramePlan& plan, const Inputs& input
         ++out.drawn;
         out.drawnViews |= 1u << i;
         if (auto ok = pipelines_.assign(casters); !ok) return tl::unexpected(ok.error());
-        PassTargets targets;
-        targets.depth = {out.map, LoadOp::clear, i};
-        plan.addPass<Payload>(kPassNames[i], targets, {&casters, view.uniforms, inputs.binder},
-                              record);
+        PassBuilder pass = plan.addPass(kPassNames[i]);
+        pass.depth(out.map, LoadOp::clear, i);
+        pass.uniforms(RL_UNIFORMS_VIEW, view.uniforms);
+        bindMaterials(pass, inputs.binder);
+        pass.record<DrawnList>({&casters, inputs.binder}, DrawnList::record);
     }
     return out;
 }

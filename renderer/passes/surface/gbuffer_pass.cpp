@@ -25,18 +25,14 @@ Result<GBufferPass::Outputs> GBufferPass::add(FramePlan& plan, const Inputs& inp
     out.target1 = plan.createImage({"normal-roughness", Format::rgba8, w, h});
     out.target2 = plan.createImage({"emissive-velocity-occlusion", Format::rgba8, w, h});
     out.depth = plan.createImage({"depth", Format::depth32f, w, h});
-    const PassTargets::Color colors[] = {
-        {out.target0, LoadOp::clear}, {out.target1, LoadOp::clear}, {out.target2, LoadOp::clear}};
-    PassTargets targets;
-    targets.colors = colors;
-    targets.depth = {out.depth, LoadOp::clear};
-    plan.addPass<Inputs>("gbuffer", targets, inputs, [](const Inputs& in, PassContext& context) {
-        context.commands.push(BindUniforms{RL_UNIFORMS_VIEW, 0, in.viewUniforms});
-        context.commands.push(BindTexelBuffer{
-            RL_TEXTURE_MATERIALS, Format::rgba32ui, {}, in.binder.materials->buffer()});
-        in.decals.record(context.commands);
-        in.binder.record(context.commands, *in.draws);
-    });
+    PassBuilder pass = plan.addPass("gbuffer");
+    for (ImageId target : {out.target0, out.target1, out.target2})
+        pass.color(target, LoadOp::clear);
+    pass.depth(out.depth, LoadOp::clear);
+    pass.uniforms(RL_UNIFORMS_VIEW, inputs.viewUniforms);
+    inputs.decals.bind(pass);
+    bindMaterials(pass, inputs.binder);
+    pass.record<DrawnList>({inputs.draws, inputs.binder}, DrawnList::record);
     return out;
 }
 

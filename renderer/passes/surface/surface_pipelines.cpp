@@ -16,12 +16,16 @@ CullMode cullMode(uint32_t flags) {
 
 }  // namespace
 
-void DecalBindings::record(CommandBuffer& commands) const {
+void DecalBindings::bind(PassBuilder& pass) const {
     if (!*this) return;
-    commands.push(BindTexture{RL_TEXTURE_DECAL_COLOR, color, sampler});
-    commands.push(BindTexture{RL_TEXTURE_DECAL_DETAIL, detail, sampler});
-    commands.push(BindTexelBuffer{RL_TEXTURE_DECALS, Format::rgba32f, {}, records});
-    commands.push(BindTexelBuffer{RL_TEXTURE_DECAL_LISTS, Format::r32ui, {}, lists});
+    pass.texture(RL_TEXTURE_DECAL_COLOR, color, sampler);
+    pass.texture(RL_TEXTURE_DECAL_DETAIL, detail, sampler);
+    pass.texels(RL_TEXTURE_DECALS, Format::rgba32f, records);
+    pass.texels(RL_TEXTURE_DECAL_LISTS, Format::r32ui, lists);
+}
+
+void bindMaterials(PassBuilder& pass, const DrawBinder& binder) {
+    pass.texels(RL_TEXTURE_MATERIALS, Format::rgba32ui, binder.materials->buffer());
 }
 
 Result<void> SurfacePipelines::assign(DrawList& list,

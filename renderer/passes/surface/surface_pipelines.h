@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/plan/frame_plan.h"
 #include "renderer/rhi/device.h"
 #include "renderer/visibility/draw_list.h"
 
@@ -31,7 +32,19 @@ struct DecalBindings {
     SamplerHandle sampler;
 
     explicit operator bool() const { return records.size > 0; }
-    void record(CommandBuffer& commands) const;
+    void bind(PassBuilder& pass) const;
+};
+
+/// What all passes that draw surfaces read of their materials.
+void bindMaterials(PassBuilder& pass, const DrawBinder& binder);
+
+/// The payload of a pass that draws one list.
+struct DrawnList {
+    const DrawList* list = nullptr;
+    DrawBinder binder;
+    static void record(const DrawnList& drawn, CommandBuffer& commands) {
+        drawn.binder.record(commands, *drawn.list);
+    }
 };
 
 /// The pipelines of a surface pass by variant, compiled when first needed.

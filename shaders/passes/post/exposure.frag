@@ -14,7 +14,8 @@ void main() {
         sum += textureLod(meanLogLuminance, (vec2(float(i & 3), float(i >> 2)) + 0.5) * 0.25, 0.0).x;
     float aim = clamp(flatSettings.w * exp2(-sum * (1.0 / 16.0)), flatSettings.y, flatSettings.z);
     float last = textureLod(previousExposure, vec2(0.5), 0.0).x;
-    // In stops, as eyes adapt. Nothing before the first frame: 0.
+    // In stops, as eyes adapt. Nothing before the first frame: 0. After a cut the share is all, and the aim is taken as it
+    // is: what was before may not show in the last bit.
     float adapted = exp2(mix(log2(max(last, 1e-6)), log2(aim), flatSettings.x));
-    exposure = last > 0.0 ? adapted : aim;
+    exposure = last > 0.0 && flatSettings.x < 1.0 ? adapted : aim;
 }

@@ -7,7 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <map>
 #include <memory>
+#include <set>
+#include <string>
+#include <tuple>
 
 namespace rushlight {
 namespace {
@@ -135,6 +139,40 @@ TEST_F(Views, AFrameThatFailsLeavesItsViewAsItWas) {
         steps.push_back(stage.render(0, step));
     }
     for (size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(steps[i], expected[i]) << i;
+}
+
+// What a pass does not declare, it may not depend on.
+TEST_F(Views, AnyOrderThatThePlanAllowsGivesTheSameBytes) {
+    constexpr uint32_t kSeeds = 100;
+    const auto render = [](Stage& stage, uint64_t seed) {
+        FrameInput input = stage.input(0, 1);
+        input.settings.cut = true;
+        input.settings.shadowCaching = false;
+        input.settings.reflections = true;
+        input.settings.ambientOcclusion = AmbientOcclusion::low;
+        input.lighting.fog.density = 0.02f;
+        const auto ticket = stage.renderer->renderOffscreen(
+            input, 64, 36, CaptureKind::display, {.hashPasses = true, .passOrderSeed = seed});
+        CapturedImage image;
+        EXPECT_TRUE(ticket && stage.renderer->takeCapture(*ticket, true, image));
+        std::map<std::string, std::vector<uint64_t>> hashes;
+        std::string order;
+        for (const PassReport& pass : stage.renderer->report().passes) {
+            hashes[pass.name] = pass.hashes;
+            order += std::string(pass.name) + " ";
+        }
+        return std::tuple(image.rgba8, hashes, order);
+    };
+    Stage stage(&TestContext::load);
+    const auto [pixels, hashes, order] = render(stage, 0);
+    std::set<std::string> orders;
+    for (uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        const auto [otherPixels, otherHashes, otherOrder] = render(stage, seed);
+        ASSERT_EQ(otherHashes, hashes) << otherOrder;
+        ASSERT_EQ(otherPixels, pixels) << otherOrder;
+        orders.insert(otherOrder);
+    }
+    EXPECT_GT(orders.size(), kSeeds / 2);
 }
 
 TEST_F(Views, AStaleOneIsAnError) {

@@ -204,14 +204,16 @@ TEST_F(PostGlTest, ExposureBringsGreyToMiddleGreyAndAdapts) {
     const TextureHandle dim = radiance([](uint32_t, uint32_t) { return vec4(vec3(0.09f), 1); });
     BloomPass bloomPass(*device_);
     ExposurePass exposurePass(*device_);
+    ImageHistory images(*device_);
+    ExposureHistory history;
     const auto frame = [&](TextureHandle source, float deltaTime) {
         begin();
         const auto bloom = bloomPass.add(
             *plan_, {import(source, Format::rgba16f), &commands_, kWidth, kHeight});
         EXPECT_TRUE(bloom);
         const auto exposure = exposurePass.add(
-            *plan_,
-            {bloom->smallest, bloom->smallestWidth, bloom->smallestHeight, &commands_, deltaTime});
+            *plan_, {bloom->smallest, bloom->smallestWidth, bloom->smallestHeight, &commands_,
+                     deltaTime, &images, &history});
         EXPECT_TRUE(exposure) << exposure.error().text();
         const ReadbackImage image = run(exposure->exposure);
         float value = 0;
@@ -224,6 +226,10 @@ TEST_F(PostGlTest, ExposureBringsGreyToMiddleGreyAndAdapts) {
     EXPECT_NEAR(std::log2(next), std::log2(0.02f) + share * std::log2(100.0f), 0.05f);
     for (int i = 0; i < 6; ++i) frame(dim, 1);
     EXPECT_NEAR(frame(dim, 1), 2, 0.05f);
+    const ExposureHistory before = history;
+    const float once = frame(bright, 0.1f);
+    history = before;  // that frame was not executed as far as the view knows
+    EXPECT_EQ(frame(bright, 0.1f), once);
 }
 
 TEST_F(PostGlTest, FxaaSmoothsStairsAndLeavesFlatsAlone) {

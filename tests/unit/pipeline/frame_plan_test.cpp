@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 namespace rushlight {
 namespace {
 
@@ -19,24 +22,14 @@ protected:
     }
     void pass(const char* name, std::initializer_list<ImageId> reads,
               std::initializer_list<ImageId> writes, LoadOp load = LoadOp::discard) {
-        std::vector<PassTargets::Color> colors;
-        for (ImageId write : writes) colors.push_back({write, load});
-        PassTargets targets;
-        targets.colors = colors;
-        targets.reads = {reads.begin(), reads.size()};
-        add(name, targets);
+        PassBuilder pass = plan.addPass(name);
+        for (ImageId write : writes) pass.color(write, load);
+        for (ImageId read : reads) pass.sample(0, read, {});
     }
     void present(const char* name, std::initializer_list<ImageId> reads) {
-        PassTargets targets;
-        targets.reads = {reads.begin(), reads.size()};
-        targets.toFrameTarget = true;
-        targets.frameWidth = 64;
-        targets.frameHeight = 32;
-        add(name, targets);
-    }
-    void add(const char* name, const PassTargets& targets) {
-        plan.addPass(
-            name, targets, 0, +[](const int&, PassContext&) {});
+        PassBuilder pass = plan.addPass(name);
+        pass.frameTarget(64, 32);
+        for (ImageId read : reads) pass.sample(0, read, {});
     }
     std::vector<std::string> keptPasses() const {
         std::vector<std::string> names;
@@ -72,10 +65,7 @@ TEST_F(FramePlanTest, KeepingATargetNeedsAnEarlierWriterToo) {
     EXPECT_NE(compiled.error().text().find("forward"), std::string::npos);
 
     plan.begin();
-    PassTargets targets;
-    targets.depth = {image("depth", Format::depth32f), LoadOp::keep, 0, true};
-    targets.toFrameTarget = true;
-    add("overlay", targets);
+    plan.addPass("overlay").frameTarget(64, 32).depthTest(image("depth", Format::depth32f));
     EXPECT_FALSE(plan.compile());
 }
 
@@ -152,24 +142,20 @@ TEST_F(FramePlanTest, LivingImagesNeverShareATexture) {
                 read.push_back(images[from]);
                 uses[from].last = p;
             }
-            PassTargets targets;
-            const PassTargets::Color color{images[p]};
-            targets.colors = {&color, 1};
-            targets.reads = read;
-            targets.toFrameTarget = false;
-            add("pass", targets);
+            PassBuilder pass = plan.addPass("pass");
+            pass.color(images[p]);
+            for (ImageId from : read) pass.sample(0, from, {});
         }
         // Everything is needed: a last pass reads what nobody read.
         std::vector<ImageId> last;
         for (size_t i = 0; i < count; ++i)
-            if (uses[i].last == i && last.size() < FramePlan::kMaxReads) {
+            if (uses[i].last == i) {
                 last.push_back(images[i]);
                 uses[i].last = count;
             }
-        PassTargets end;
-        end.reads = last;
-        end.toFrameTarget = true;
-        add("end", end);
+        PassBuilder end = plan.addPass("end");
+        end.frameTarget(64, 32);
+        for (ImageId image : last) end.sample(0, image, {});
         ASSERT_TRUE(plan.compile());
         ASSERT_EQ(plan.keptPassCount(), count + 1);
         for (size_t a = 0; a < count; ++a)
@@ -211,17 +197,11 @@ TEST_F(FramePlanTest, FramesReuseTexturesAndGiveUnusedOnesBack) {
 TEST_F(FramePlanTest, PassesAreRecordedOnceInOrderWithTheirPayloads) {
     plan.begin();
     const ImageId a = image("a");
-    const auto record = +[](const uint32_t& vertices, PassContext& context) {
-        context.commands.push(Draw{0, vertices, 1});
+    const auto record = +[](const uint32_t& vertices, CommandBuffer& commands) {
+        commands.push(Draw{0, vertices, 1});
     };
-    const PassTargets::Color color{a};
-    PassTargets first;
-    first.colors = {&color, 1};
-    plan.addPass("first", first, uint32_t(11), record);
-    PassTargets second;
-    second.reads = {&a, 1};
-    second.toFrameTarget = true;
-    plan.addPass("second", second, uint32_t(22), record);
+    plan.addPass("first").color(a).record(uint32_t(11), record);
+    plan.addPass("second").frameTarget(64, 32).sample(3, a, {}).record(uint32_t(22), record);
     ASSERT_TRUE(plan.compile());
     CommandBuffer out;
     plan.record(jobs, out);
@@ -232,17 +212,77 @@ TEST_F(FramePlanTest, PassesAreRecordedOnceInOrderWithTheirPayloads) {
     EXPECT_TRUE(begin1 < draw1 && draw1 < begin2 && begin2 < draw2) << text;
 }
 
-TEST_F(FramePlanTest, TouchingAnUndeclaredImageStopsTheProgram) {
+// The call that declares makes the binding.
+TEST_F(FramePlanTest, WhatIsDeclaredIsBound) {
+    const auto owned = device.createTexture({"owned", TextureKind::texture2d, Format::r32f, 1, 1});
     plan.begin();
     const ImageId a = image("a");
     pass("makes a", {}, {a});
-    PassTargets targets;
-    targets.toFrameTarget = true;
-    plan.addPass(
-        "thief", targets, a, +[](const ImageId& id, PassContext& context) { context.texture(id); });
+    PassBuilder reader = plan.addPass("reads a");
+    reader.frameTarget(64, 32).sample(5, a, {}).texture(6, *owned, {});
+    reader.sample(7, {}, {}).texels(8, Format::r32ui, {}).uniforms(2, {});
     ASSERT_TRUE(plan.compile());
     CommandBuffer out;
-    EXPECT_DEATH(plan.record(jobs, out), "did not declare");
+    plan.record(jobs, out);
+    const std::string text = print(out);
+    EXPECT_NE(text.find("BindTexture 5 "), std::string::npos) << text;
+    EXPECT_NE(text.find("BindTexture 6 "), std::string::npos) << text;
+    EXPECT_EQ(text.find("BindTexture 7 "), std::string::npos) << "a null image is ignored";
+    EXPECT_EQ(text.find("BindTexelBuffer"), std::string::npos) << "and an empty range";
+    EXPECT_EQ(text.find("BindUniforms"), std::string::npos);
+}
+
+TEST_F(FramePlanTest, AWantedImageIsKeptAsItWasPublished) {
+    plan.begin();
+    plan.want("lit");
+    EXPECT_TRUE(plan.wants("lit"));
+    EXPECT_FALSE(plan.wants("fog"));
+    const ImageId radiance = image("radiance"), fog = image("fog");
+    pass("lighting", {}, {radiance});
+    plan.publish("lit", radiance);
+    pass("fog", {}, {fog});
+    pass("fog over it", {fog}, {radiance}, LoadOp::keep);
+    plan.publish("foggy", radiance);
+    present("shows it", {plan.find("lit")});
+    ASSERT_TRUE(plan.compile());
+    EXPECT_EQ(keptPasses(), (Names{"lighting", "shows it"}));
+    EXPECT_FALSE(plan.find("nobody's"));
+
+    plan.begin();
+    EXPECT_FALSE(plan.wants("lit")) << "of the frame before";
+}
+
+TEST_F(FramePlanTest, AnOrderByASeedKeepsWhatDependsInOrder) {
+    std::set<Names> orders;
+    for (uint64_t seed = 0; seed < 200; ++seed) {
+        plan.begin();
+        const ImageId map = plan.createImage({"map", Format::depth32f, 64, 64, 2});
+        const ImageId a = image("a"), b = image("b"), sum = image("sum");
+        plan.addPass("map.0").depth(map, LoadOp::clear, 0);
+        plan.addPass("map.1").depth(map, LoadOp::clear, 1);
+        pass("a", {map}, {a});
+        pass("b", {}, {b});
+        pass("sum", {a}, {sum});
+        pass("more", {b}, {sum}, LoadOp::keep);
+        pass("b again", {}, {b});
+        present("shows", {sum, b});
+        present("over it", {});
+        ASSERT_TRUE(plan.compile(seed));
+        const Names order = keptPasses();
+        ASSERT_EQ(order.size(), 9u);
+        const auto place = [&](const char* name) {
+            return std::ranges::find(order, name) - order.begin();
+        };
+        EXPECT_LT(std::max(place("map.0"), place("map.1")), place("a"));
+        EXPECT_LT(place("a"), place("sum"));
+        EXPECT_LT(place("sum"), place("more")) << "it adds to it";
+        EXPECT_LT(place("b"), place("more"));
+        EXPECT_LT(place("more"), place("b again")) << "it is read before";
+        EXPECT_EQ(place("shows"), 7) << "it reads both";
+        EXPECT_EQ(place("over it"), 8) << "both draw into the frame";
+        orders.insert(order);
+    }
+    EXPECT_EQ(orders.size(), 10u) << "all that there are";
 }
 
 }  // namespace
