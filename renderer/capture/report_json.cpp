@@ -29,7 +29,8 @@ ordered_json frameJson(const FrameReport& r) {
             {"shadow_lights_reduced", r.shadowLightsReduced},
             {"shadow_lights_without", r.shadowLightsWithout},
             {"waits", r.waits},
-            {"queue_waits", r.queueWaits}};
+            {"queue_waits", r.queueWaits},
+            {"pipelines_compiled", r.pipelinesCompiled}};
 }
 
 ordered_json passesJson(const FrameReport& report) {

@@ -1,5 +1,5 @@
 #pragma once
-// A FrameReport in the schema of `--stats` (README, "Statistics").
+// A FrameReport in the schema of `--stats` (sandbox/tool/README.md).
 
 #include "renderer/frame/frame_report.h"
 

@@ -38,9 +38,15 @@ struct View {
     float verticalFov = 0.785f;  ///< perspective
     float orthoHalfHeight = 1;   ///< orthographic
     float aspect = 0;            ///< width over height; 0: that of the target
-    float nearPlane = 0.1f;      ///< > 0 for perspective
-    float farPlane = 0;          ///< 0: infinite (perspective only)
-    ViewHandle state;            ///< what it remembers; zero: the default view
+    /// Perspective, in place of the two: tangents of the angles from the view axis to the left,
+    /// right, bottom and top edge, as of an eye of a headset or a part of a larger picture. All
+    /// zero: none.
+    vec4 frustum{0};
+    vec2 jitter{0};          ///< pixels, right and up: where in each pixel the scene is
+                             ///< sampled, from its middle; -1 to 1
+    float nearPlane = 0.1f;  ///< > 0 for perspective
+    float farPlane = 0;      ///< 0: infinite (perspective only)
+    ViewHandle state;        ///< what it remembers; zero: the default view
 };
 
 /// A run of overlay triangles with one scissor rectangle (pixels from the top left).

@@ -39,7 +39,7 @@ struct PassReport {
     std::vector<uint64_t> hashes;   ///< as `writes`, when asked for
 };
 
-/// The numbers behind `--stats`; the schema is in the README. In the render-thread mode
+/// The numbers behind `--stats`; the schema is in sandbox/tool/README.md. In the render-thread mode
 /// (RendererDesc::renderThread) the frame `frameNumber` may not be executed yet; then what
 /// executing gives (cpuExecuteMs, gpuMs, draws, triangles, glCalls, stateChanges, uploadedBytes,
 /// the waits, synchronousCalls, passes) is of the newest frame that is.
@@ -73,6 +73,7 @@ struct FrameReport {
     uint32_t shadowLightsReduced = 0;  ///< of those, coarser than their size on screen asks for:
                                        ///< the atlas is full
     uint32_t shadowLightsWithout = 0;  ///< that should have one and found no room
+    uint32_t pipelinesCompiled = 0;    ///< for `frameNumber`, and for what was created before it
     uint32_t waits = 0;                ///< of the CPU for the GPU
     uint32_t queueWaits = 0;  ///< of render() for the serving thread, all frames in flight being
                               ///< taken

@@ -78,6 +78,16 @@ Result<CameraMatrices> makeCamera(const View& view, float targetAspect) {
     if (view.farPlane != 0 && !(view.farPlane > view.nearPlane))
         return wrong("the far plane is not beyond the near plane.");
 
+    if (!std::isfinite(glm::dot(view.frustum, view.frustum)) ||
+        (view.frustum != vec4(0) &&
+         !(view.frustum.x < view.frustum.y && view.frustum.z < view.frustum.w)))
+        return wrong(
+            "its frustum is not finite, or its left edge is not left of its right one, or "
+            "its bottom not below its top.");
+    if (!(glm::all(glm::lessThanEqual(glm::abs(view.jitter), vec2(1)))))
+        return wrong("the jitter is " + std::to_string(view.jitter.x) + ", " +
+                     std::to_string(view.jitter.y) + " pixels; it must be -1 to 1.");
+
     CameraMatrices camera;
     const float aspect = view.aspect > 0 ? view.aspect : targetAspect;
     camera.perspective = view.perspective;
@@ -87,8 +97,15 @@ Result<CameraMatrices> makeCamera(const View& view, float targetAspect) {
     if (view.perspective) {
         camera.tanHalfY = std::tan(view.verticalFov / 2);
         camera.tanHalfX = camera.tanHalfY * aspect;
+        if (const vec4& edges = view.frustum; edges != vec4(0)) {
+            camera.tanHalfX = (edges.y - edges.x) / 2;
+            camera.tanHalfY = (edges.w - edges.z) / 2;
+            camera.center = {(edges.x + edges.y) / 2, (edges.z + edges.w) / 2};
+        }
         camera.clipFromView = reversedPerspective(camera.tanHalfX, camera.tanHalfY, view.nearPlane,
                                                   view.farPlane);
+        camera.clipFromView[2][0] = camera.center.x / camera.tanHalfX;
+        camera.clipFromView[2][1] = camera.center.y / camera.tanHalfY;
         // z = m22 * -d + m32, w = d  =>  d = m32 / (depth + m22)
         const float m22 = camera.clipFromView[2][2], m32 = camera.clipFromView[3][2];
         camera.depthDecode = {1 / m32, m22 / m32};
@@ -111,11 +128,26 @@ Result<CameraMatrices> makeCamera(const View& view, float targetAspect) {
     return camera;
 }
 
+// A move in clip space by a share of w, which is 1 in orthographic views.
+void jitterCamera(CameraMatrices& camera, const vec2& pixels, uint32_t width, uint32_t height) {
+    const vec2 ndc = 2.0f * pixels / vec2(float(width), float(height));
+    if (ndc == vec2(0)) return;
+    mat4 move(1);
+    move[3] = vec4(-ndc, 0, 1);
+    camera.clipFromView = move * camera.clipFromView;
+    camera.clipFromWorld = move * camera.clipFromWorld;
+    camera.previousClipFromWorld = move * camera.previousClipFromWorld;
+    camera.jittered = ndc * (camera.perspective ? vec2(camera.tanHalfX, camera.tanHalfY)
+                                                : vec2(camera.halfWidth, camera.halfHeight));
+    camera.center += camera.jittered;
+}
+
 vec3 CameraMatrices::relativePosition(vec2 uv, float viewDepth) const {
     const vec2 ndc = uv * 2.0f - 1.0f;
-    if (perspective)
-        return (forward + right * (ndc.x * tanHalfX) + up * (ndc.y * tanHalfY)) * viewDepth;
-    return right * (ndc.x * halfWidth) + up * (ndc.y * halfHeight) + forward * viewDepth;
+    const vec2 half = perspective ? vec2(tanHalfX, tanHalfY) : vec2(halfWidth, halfHeight);
+    const vec2 place = center + ndc * half;
+    if (perspective) return (forward + right * place.x + up * place.y) * viewDepth;
+    return right * place.x + up * place.y + forward * viewDepth;
 }
 
 }  // namespace rushlight

@@ -29,6 +29,8 @@ struct CameraMatrices {
     vec3 right, up, forward;              ///< world, unit
     float tanHalfX = 1, tanHalfY = 1;     ///< perspective: of half the view angles
     float halfWidth = 1, halfHeight = 1;  ///< orthographic
+    vec2 center{0};    ///< where the picture's middle lies off the view axis: tangents, or metres
+    vec2 jittered{0};  ///< the part of it that comes of jitter
     float nearPlane = 0.1f;
     float farPlane = 0;  ///< 0: infinite
     bool perspective = true;
@@ -39,6 +41,11 @@ struct CameraMatrices {
     /// axes.
     vec3 relativePosition(vec2 uv, float viewDepth) const;
 };
+
+/// Moves the picture by a part of a pixel of one so large: what is rasterised, and what is looked
+/// up in it. The frustum, for culling, stays; previousClipFromWorld moves likewise, so that what
+/// stands still has no velocity.
+void jitterCamera(CameraMatrices& camera, const vec2& pixels, uint32_t width, uint32_t height);
 
 /// An Error when the view is not finite, not invertible or its ranges are empty.
 Result<CameraMatrices> makeCamera(const View& view, float targetAspect);

@@ -72,6 +72,7 @@ Result<void> FramePipeline::render(const FrameInput& input, const FrameTarget& t
     if (view->last().frames > 0 && !input.settings.cut)
         camera->previousClipFromWorld = view->last().clipFromWorld;
     view->next.clipFromWorld = camera->clipFromWorld;
+    jitterCamera(*camera, input.view.jitter, target.width, target.height);
     lastView_ = input.view.state;
     FrameContext frame{input, target,    capture, *camera, stores, jobs_,
                        plan_, commands_, *view,   worlds,  drawn_};
@@ -143,7 +144,7 @@ Result<void> FramePipeline::build(FrameContext& frame, uint64_t passOrderSeed) {
     if (frame.capture)
         commands_.push(Readback{plan_.texture(planned->captured), 0, 0, frame.capture->ticket});
     reporter_.noteBuilt({frameNumber_, &frame.input, &frame.worlds, visible, &planned->shadows,
-                         planned->lightsVisible});
+                         planned->lightsVisible, device_.compiledPrograms()});
     return {};
 }
 

@@ -52,6 +52,8 @@ void FrameReporter::noteBuilt(const Built& built) {
     const Lighting& l = built.input->lighting;
     r.lights = uint32_t(l.directional.size() + l.punctual.size() + l.area.size());
     r.lightsVisible = uint32_t(l.directional.size()) + built.lightsVisible;
+    r.pipelinesCompiled = uint32_t(built.compiledPrograms - compiledPrograms_);
+    compiledPrograms_ = built.compiledPrograms;
     const ShadowStage::Outputs& shadows = *built.shadows;
     r.shadowViewsDrawn = shadows.drawn;
     r.shadowViewsCached = shadows.cached;

@@ -20,7 +20,8 @@ public:
         const FrameWorlds* worlds = nullptr;
         Visibility::Counts visibility;
         const ShadowStage::Outputs* shadows = nullptr;
-        uint32_t lightsVisible = 0;  ///< of those in froxels
+        uint32_t lightsVisible = 0;     ///< of those in froxels
+        uint64_t compiledPrograms = 0;  ///< Device::compiledPrograms()
     };
 
     explicit FrameReporter(LogSink log) : log_(log) {}
@@ -35,6 +36,7 @@ private:
     LogSink log_;
     FrameReport report_;
     std::vector<PassReport> sparePasses_;
+    uint64_t compiledPrograms_ = 0;  ///< when the frame before was built
     bool warnedRejected_ = false;
 };
 

@@ -100,6 +100,10 @@ public:
     /// Compiles and links at once; the Error holds the driver's log with file names and lines.
     virtual Result<PipelineHandle> createPipeline(const PipelineDesc&) = 0;
 
+    /// Programs that createPipeline() had to compile so far; those from a cache on disk and those
+    /// that pipelines share are not counted. From any thread.
+    virtual uint64_t compiledPrograms() const { return 0; }
+
     virtual void destroy(BufferHandle) = 0;  ///< waits until no frame in flight uses it
     virtual void destroy(TextureHandle) = 0;
 

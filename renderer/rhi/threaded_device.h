@@ -91,6 +91,7 @@ public:
     }
     void execute(const CommandBuffer& commands, const ExecuteOptions& options,
                  ExecutionReport& report) override;
+    uint64_t compiledPrograms() const override { return device_->compiledPrograms(); }
     uint32_t maxPendingFrames() const override { return maxPending_; }
     uint32_t pendingFrames() const override;
     /// Without `wait` it is asked for between two frames, ahead of those that queue.

@@ -22,7 +22,10 @@ Sphere sphereAround(const CameraMatrices& camera, float nearDepth, float farDept
                                        camera.halfHeight * camera.halfHeight + half * half);
         return {camera.position + camera.forward * (nearDepth + half), radius};
     }
-    const float k2 = camera.tanHalfX * camera.tanHalfX + camera.tanHalfY * camera.tanHalfY;
+    // To the farthest corner; without the jitter, which would change the sphere at every frame.
+    const vec2 reach = glm::abs(camera.center - camera.jittered) +
+                       vec2(camera.tanHalfX, camera.tanHalfY);
+    const float k2 = glm::dot(reach, reach);
     const float depth = std::min((1 + k2) * (nearDepth + farDepth) / 2, farDepth);
     const float dn = depth - nearDepth, df = farDepth - depth;
     const float radius = std::sqrt(

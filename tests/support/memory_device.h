@@ -20,6 +20,7 @@ public:
     std::map<TextureHandle, TextureDesc> textures;  ///< alive; labels are not kept
     std::vector<Upload> uploads;
     uint32_t pipelines = 0;  ///< created so far
+    uint64_t compiledPrograms() const override { return pipelines; }
 
     template <class T>
     T read(BufferHandle buffer, size_t index) const {

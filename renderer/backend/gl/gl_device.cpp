@@ -117,6 +117,7 @@ public:
     }
     Result<void> status() const override { return status_; }
     Result<void> takeFailure() override { return std::exchange(failure_, {}); }
+    uint64_t compiledPrograms() const override { return programs_.compiled(); }
     Result<uint32_t> reloadShaders() override { return programs_.reload(); }
     void finish() override { gl_.Finish(); }
     std::vector<std::string> takeDebugMessages() override { return debug_.take(); }

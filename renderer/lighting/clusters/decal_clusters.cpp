@@ -118,17 +118,17 @@ void DecalClusters::addReferences(const CameraMatrices& camera, uint32_t decal, 
         if (low > high) continue;
         const float nearScale = camera.perspective ? std::max(low, camera.nearPlane) : 1;
         const float farScale = camera.perspective ? std::max(high, nearScale) : 1;
-        const auto tiles = [&](float least, float most, float scale, uint32_t pixels,
+        const auto tiles = [&](float least, float most, float center, float scale, uint32_t pixels,
                                uint32_t count, uint32_t& begin, uint32_t& end) {
-            const float a = std::min(least / nearScale, least / farScale) / scale;
-            const float b = std::max(most / nearScale, most / farScale) / scale;
+            const float a = (std::min(least / nearScale, least / farScale) - center) / scale;
+            const float b = (std::max(most / nearScale, most / farScale) - center) / scale;
             const float perNdc = 0.5f * float(pixels) / RL_DECAL_PIXELS;
             begin = uint32_t(std::clamp(std::floor((a + 1) * perNdc), 0.0f, float(count)));
             end = uint32_t(std::clamp(std::floor((b + 1) * perNdc) + 1, 0.0f, float(count)));
         };
         uint32_t x0, x1, y0, y1;
-        tiles(box.low.x, box.high.x, scaleX, width_, tilesX, x0, x1);
-        tiles(box.low.y, box.high.y, scaleY, height_, tilesY, y0, y1);
+        tiles(box.low.x, box.high.x, camera.center.x, scaleX, width_, tilesX, x0, x1);
+        tiles(box.low.y, box.high.y, camera.center.y, scaleY, height_, tilesY, y0, y1);
         for (uint32_t y = y0; y < y1; ++y)
             for (uint32_t x = x0; x < x1; ++x)
                 references_.push_back({(s * tilesY + y) * tilesX + x, decal});

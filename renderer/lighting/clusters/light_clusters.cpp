@@ -239,7 +239,8 @@ void LightClusters::chooseGrid(const CameraMatrices& camera, uint32_t width, uin
     grid_.depths[slices] = std::numeric_limits<float>::max();
     const float scaleX = camera.perspective ? camera.tanHalfX : camera.halfWidth;
     const float scaleY = camera.perspective ? camera.tanHalfY : camera.halfHeight;
-    grid_.setTiles(scaleX, scaleY, 2 * float(tilePixels) * scaleX / float(width),
+    grid_.setTiles(scaleX - camera.center.x, scaleY - camera.center.y,
+                   2 * float(tilePixels) * scaleX / float(width),
                    2 * float(tilePixels) * scaleY / float(height));
 }
 

@@ -15,7 +15,7 @@ interop::ScreenUniforms makeScreenUniforms(const CameraMatrices& camera, uint32_
     const vec2 half = camera.perspective ? vec2(camera.tanHalfX, camera.tanHalfY)
                                          : vec2(camera.halfWidth, camera.halfHeight);
     interop::ScreenUniforms u{};
-    u.viewFromTexel = vec4(2.0f * half / size, -half);
+    u.viewFromTexel = vec4(2.0f * half / size, camera.center - half);
     // Perspective: 1 / viewDepth = x * d + y, so that a share of it is one of d + y / x.
     const vec2 decode = camera.depthDecode;
     const vec2 tolerance = camera.perspective ? kSurfaceTolerance * vec2(1, decode.y / decode.x)

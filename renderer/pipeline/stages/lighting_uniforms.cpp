@@ -21,7 +21,8 @@ namespace {
 void fillRays(const CameraMatrices& camera, interop::LightingUniforms& u) {
     const float x = camera.perspective ? camera.tanHalfX : camera.halfWidth;
     const float y = camera.perspective ? camera.tanHalfY : camera.halfHeight;
-    const vec4 corner = vec4(-camera.right * x - camera.up * y, 0);
+    const vec2 low = camera.center - vec2(x, y);
+    const vec4 corner = vec4(camera.right * low.x + camera.up * low.y, 0);
     const vec4 right = vec4(camera.right * (2 * x), 0), up = vec4(camera.up * (2 * y), 0);
     if (camera.perspective) {
         u.rayCorner = corner + vec4(camera.forward, 0);

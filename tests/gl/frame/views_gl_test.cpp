@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <set>
@@ -173,6 +175,54 @@ TEST_F(Views, AnyOrderThatThePlanAllowsGivesTheSameBytes) {
         orders.insert(otherOrder);
     }
     EXPECT_GT(orders.size(), kSeeds / 2);
+}
+
+// An off-centre frustum is a part of a larger picture: the same pixels, whatever lights them.
+TEST_F(Views, AnOffCentreOneIsAPartOfALargerPicture) {
+    constexpr uint32_t kWidth = 192, kHeight = 96;
+    Stage stage(&TestContext::load);
+    const uint8_t red[4] = {255, 0, 0, 255};
+    DecalMaterialDesc paint;
+    paint.label = "red";
+    paint.baseColor = {"red", 1, 1, true, red};
+    Decal decal;
+    decal.material = stage.renderer->createDecalMaterial(paint).value();
+    decal.worldFromDecal = mat4x3(6.0f);
+    for (uint32_t step : {0u, 3u}) {
+        FrameInput input = stage.input(0, step);
+        input.decals = {&decal, 1};
+        input.lighting.fog.density = 0.01f;
+        input.settings.cut = true;
+        input.settings.autoExposure = input.settings.bloom = input.settings.dither = false;
+        input.settings.antiAliasing = AntiAliasing::off;
+        input.settings.smallObjectPixels = 0;
+        input.overlay = {};
+        input.settings.shadows = false;  // cascades and tiles are fitted to what is seen
+        const auto render = [&](const vec4& frustum, uint32_t width, uint32_t height) {
+            input.view.frustum = frustum;
+            const auto ticket = stage.renderer->renderOffscreen(input, width, height,
+                                                                CaptureKind::display);
+            CapturedImage image;
+            EXPECT_TRUE(ticket && stage.renderer->takeCapture(*ticket, true, image));
+            return image;
+        };
+        const CapturedImage whole = render({-1, 1, -0.5f, 0.5f}, kWidth, kHeight);
+        // The right third, the lower half.
+        const CapturedImage part = render({1.0f / 3, 1, -0.5f, 0}, kWidth / 3, kHeight / 2);
+        uint32_t different = 0, colors = 0;
+        for (uint32_t y = 0; y < part.height; ++y)
+            for (uint32_t x = 0; x < part.width; ++x) {
+                const uint8_t* a = &part.rgba8[(y * part.width + x) * 4];
+                const uint8_t* b =
+                    &whole.rgba8[((y + kHeight / 2) * kWidth + x + kWidth * 2 / 3) * 4];
+                int most = 0;
+                for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(int(a[c]) - int(b[c])));
+                different += most > 3;
+                colors += a[0] != part.rgba8[0];
+            }
+        EXPECT_LT(different, part.width * part.height / 50) << "step " << step;
+        EXPECT_GT(colors, part.width * part.height / 4) << "there is little to be seen";
+    }
 }
 
 TEST_F(Views, AStaleOneIsAnError) {

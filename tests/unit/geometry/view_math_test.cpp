@@ -144,6 +144,45 @@ TEST(ViewMath, AxesAndAspect) {
     EXPECT_FLOAT_EQ(cameraOf(own).tanHalfX / cameraOf(own).tanHalfY, 2);
 }
 
+/// Where a point lands, in [0, 1]² of the picture.
+vec2 uvOf(const CameraMatrices& camera, const vec3& point) {
+    const vec4 clip = camera.clipFromWorld * vec4(point, 1);
+    return vec2(clip) / clip.w * 0.5f + 0.5f;
+}
+
+TEST(ViewMath, AnOffCentreFrustumIsAPartOfALargerPicture) {
+    View whole = perspectiveView(0.1f, 0);
+    whole.frustum = {-0.8f, 0.8f, -0.5f, 0.5f};
+    View part = whole;
+    part.frustum = {0, 0.8f, -0.5f, 0.1f};  // the right half, the lower three fifths
+    for (const vec3& direction : {vec3(0.1f, -0.4f, -1), vec3(0.7f, 0.05f, -1)}) {
+        const CameraMatrices all = cameraOf(whole), one = cameraOf(part);
+        const mat4 worldFromView = glm::inverse(all.viewFromWorld);
+        const vec3 point = vec3(worldFromView * vec4(direction * 3.0f, 1));
+        const vec2 uv = uvOf(one, point);
+        const vec2 expected = (uvOf(all, point) - vec2(0.5f, 0)) / vec2(0.5f, 0.6f);
+        EXPECT_LT(glm::distance(uv, expected), 1e-5f);
+        EXPECT_LT(glm::distance(one.position + one.relativePosition(uv, 3), point), 1e-4f);
+        EXPECT_TRUE(intersects(one.frustum, point, 0.0f));
+    }
+    part.frustum = {0.8f, 0, -0.5f, 0.5f};
+    EXPECT_FALSE(makeCamera(part, 1));
+}
+
+TEST(ViewMath, JitterMovesThePictureAndNoVelocity) {
+    for (const View& view : {perspectiveView(0.1f, 0), orthographicView()}) {
+        const CameraMatrices still = cameraOf(view);
+        CameraMatrices moved = still;
+        jitterCamera(moved, {0.25f, -0.5f}, 100, 50);
+        const vec3 point = still.position + still.forward * 4.0f + still.right * 0.3f;
+        const vec2 by = uvOf(moved, point) - uvOf(still, point);
+        EXPECT_LT(glm::distance(by, vec2(-0.25f / 100, 0.5f / 50)), 1e-5f);
+        EXPECT_EQ(moved.previousClipFromWorld, moved.clipFromWorld);
+        const vec3 back = moved.position + moved.relativePosition(uvOf(moved, point), 4);
+        EXPECT_LT(glm::distance(back, point), 1e-4f);
+    }
+}
+
 TEST(ViewMath, BadViewsAreErrors) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinity = std::numeric_limits<float>::infinity();
@@ -169,6 +208,10 @@ TEST(ViewMath, BadViewsAreErrors) {
     EXPECT_TRUE(refused(p, [&](View& v) { v.farPlane = nan; }));
     EXPECT_TRUE(refused(p, [&](View& v) { v.farPlane = infinity; }));
     EXPECT_TRUE(refused(p, [&](View& v) { v.aspect = nan; }));
+    EXPECT_TRUE(refused(p, [&](View& v) { v.frustum = {-1, 1, 1, -1}; }));
+    EXPECT_TRUE(refused(p, [&](View& v) { v.frustum = {-1, 1, -1, infinity}; }));
+    EXPECT_TRUE(refused(p, [&](View& v) { v.jitter.x = nan; }));
+    EXPECT_TRUE(refused(p, [&](View& v) { v.jitter.y = 1.5f; }));
     EXPECT_TRUE(refused(p, [&](View& v) { v.aspect = infinity; }));
     EXPECT_TRUE(refused(o, [&](View& v) { v.orthoHalfHeight = 0; }));
     EXPECT_TRUE(refused(o, [&](View& v) { v.orthoHalfHeight = nan; }));

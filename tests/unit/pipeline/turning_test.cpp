@@ -102,11 +102,13 @@ TEST_F(Turning, CompilesNothingAfterTheFirstFrame) {
     render(0);
     const uint32_t compiled = device.pipelines;
     EXPECT_GT(compiled, 20u);
+    EXPECT_EQ(frames.report().pipelinesCompiled, compiled);
     std::set<uint32_t> visible;
     for (int degrees = 5; degrees < 360; degrees += 5) {
         render(float(degrees));
         visible.insert(frames.report().visible);
         ASSERT_EQ(device.pipelines, compiled) << "at " << degrees << " degrees";
+        ASSERT_EQ(frames.report().pipelinesCompiled, 0u);
     }
     EXPECT_GT(visible.size(), 1u) << "nothing comes into view";
 }

@@ -89,7 +89,7 @@ PipelineDesc GlPrograms::describe(uint32_t index) const {
     return desc;
 }
 
-Result<GLuint> GlPrograms::build(const Program& program, const Sources& sources) const {
+Result<GLuint> GlPrograms::build(const Program& program, const Sources& sources) {
     const GLuint name = gl_.CreateProgram();
     if (cache_.enabled()) gl_.ProgramParameteri(name, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     const bool cached = cache_.load(name, sources.hash);
@@ -99,6 +99,7 @@ Result<GLuint> GlPrograms::build(const Program& program, const Sources& sources)
             return tl::unexpected(linked.error());
         }
         cache_.store(name, sources.hash);
+        ++compiled_;
     }
     gl_.label(GL_PROGRAM, name, program.label);
     log_(LogLevel::debug,

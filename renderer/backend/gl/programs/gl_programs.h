@@ -7,6 +7,7 @@
 #include "renderer/backend/gl/programs/gl_reflection.h"
 #include "renderer/backend/gl/programs/gl_shader_library.h"
 
+#include <atomic>
 #include <vector>
 
 namespace rushlight {
@@ -30,6 +31,9 @@ public:
     /// that much.
     PipelineDesc describe(uint32_t index) const;
 
+    /// Programs that were not in the cache. From any thread.
+    uint64_t compiled() const { return compiled_; }
+
     /// Tries every program whose sources changed; the first error is returned, after all were
     /// tried.
     Result<uint32_t> reload();
@@ -51,7 +55,7 @@ private:
     };
     Result<Sources> loadSources(const Program& program) const;
     static Sources givenSources(const PipelineDesc& desc);
-    Result<GLuint> build(const Program& program, const Sources& sources) const;
+    Result<GLuint> build(const Program& program, const Sources& sources);
     void adopt(Program& program, GLuint name, Sources& sources) const;
     Result<GLuint> compile(GLenum stage, const std::string& file, const ShaderSource& source) const;
     Result<void> link(GLuint name, const Program& program, const Sources& sources) const;
@@ -62,6 +66,7 @@ private:
     ShaderLibrary library_;
     GlProgramCache cache_;
     std::vector<Program> programs_;
+    std::atomic<uint64_t> compiled_{0};
 };
 
 }  // namespace rushlight
