@@ -8,7 +8,7 @@ target_compile_definitions(explain_gl_test PRIVATE RUSHLIGHT_SOURCE="${PROJECT_S
 target_link_libraries(explain_gl_test PRIVATE
   rushlight_answers rushlight_testing ${EGL_LIBRARY}
   GTest::gtest_main rushlight_options)
-gtest_discover_tests(explain_gl_test PROPERTIES TIMEOUT 300)
+gtest_discover_tests(explain_gl_test PROPERTIES TIMEOUT 3600)
 
 add_executable(diagnose_gl_test
   frame/diagnose_gl_test.cpp
@@ -17,7 +17,7 @@ add_executable(diagnose_gl_test
   ../support/gl/test_context.cpp)
 target_link_libraries(diagnose_gl_test PRIVATE
   rushlight_answers ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
-gtest_discover_tests(diagnose_gl_test PROPERTIES TIMEOUT 600)
+gtest_discover_tests(diagnose_gl_test PROPERTIES TIMEOUT 3600)
 
 find_package(nlohmann_json REQUIRED)
 add_executable(answers_cli_gl_test cli/answers_cli_gl_test.cpp)
@@ -26,4 +26,4 @@ target_compile_definitions(answers_cli_gl_test PRIVATE
 target_link_libraries(answers_cli_gl_test PRIVATE
   rushlight_core GTest::gtest_main nlohmann_json::nlohmann_json rushlight_options)
 add_dependencies(answers_cli_gl_test rushlight)
-gtest_discover_tests(answers_cli_gl_test PROPERTIES TIMEOUT 120)
+gtest_discover_tests(answers_cli_gl_test PROPERTIES TIMEOUT 3600)

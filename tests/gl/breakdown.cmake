@@ -9,7 +9,7 @@ add_executable(breakdown_gl_test
   ../support/gl/test_context.cpp)
 target_link_libraries(breakdown_gl_test PRIVATE
   rushlight_breakdown rushlight_gl_backend Threads::Threads ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
-gtest_discover_tests(breakdown_gl_test PROPERTIES TIMEOUT 600)
+gtest_discover_tests(breakdown_gl_test PROPERTIES TIMEOUT 3600)
 
 add_executable(breakdown_cli_gl_test cli/breakdown_cli_gl_test.cpp)
 target_compile_definitions(breakdown_cli_gl_test PRIVATE
@@ -17,4 +17,4 @@ target_compile_definitions(breakdown_cli_gl_test PRIVATE
 target_link_libraries(breakdown_cli_gl_test PRIVATE
   rushlight_core nlohmann_json::nlohmann_json GTest::gtest_main rushlight_options)
 add_dependencies(breakdown_cli_gl_test rushlight)
-gtest_discover_tests(breakdown_cli_gl_test PROPERTIES TIMEOUT 600)
+gtest_discover_tests(breakdown_cli_gl_test PROPERTIES TIMEOUT 3600)

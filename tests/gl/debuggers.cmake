@@ -4,5 +4,5 @@ foreach(what apitrace renderdoc)
     COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/debuggers_test.sh ${what} $<TARGET_FILE:rushlight>
       ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/debuggers_${what})
   set_tests_properties(debuggers_gl.${what} PROPERTIES
-    TIMEOUT 300 SKIP_RETURN_CODE 77 RUN_SERIAL TRUE)
+    TIMEOUT 3600 SKIP_RETURN_CODE 77 RUN_SERIAL TRUE)
 endforeach()

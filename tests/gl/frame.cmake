@@ -34,4 +34,4 @@ add_executable(views_gl_test
   ../support/scenes/random_scene.cpp)
 target_link_libraries(views_gl_test PRIVATE
   rushlight_renderer ${EGL_LIBRARY} GTest::gtest_main rushlight_options)
-gtest_discover_tests(views_gl_test PROPERTIES TIMEOUT 300)
+gtest_discover_tests(views_gl_test PROPERTIES TIMEOUT 3600)

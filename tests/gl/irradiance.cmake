@@ -11,4 +11,4 @@ target_compile_definitions(bake_cli_gl_test PRIVATE
   RUSHLIGHT_TOOL="$<TARGET_FILE:rushlight>" RUSHLIGHT_SOURCE="${PROJECT_SOURCE_DIR}")
 target_link_libraries(bake_cli_gl_test PRIVATE rushlight_core GTest::gtest_main rushlight_options)
 add_dependencies(bake_cli_gl_test rushlight)
-gtest_discover_tests(bake_cli_gl_test PROPERTIES TIMEOUT 300)
+gtest_discover_tests(bake_cli_gl_test PROPERTIES TIMEOUT 3600)

@@ -9,7 +9,7 @@ target_include_directories(shadows_gl_test PRIVATE ${PROJECT_SOURCE_DIR}/shaders
 target_link_libraries(shadows_gl_test PRIVATE
   rushlight_context rushlight_ray_bridge rushlight_capture rushlight_assets rushlight_jobs
   GTest::gtest_main rushlight_options)
-gtest_discover_tests(shadows_gl_test PROPERTIES TIMEOUT 600)
+gtest_discover_tests(shadows_gl_test PROPERTIES TIMEOUT 3600)
 
 # Of area lights and of suns, on a fixture of their own.
 add_executable(shadow_lights_gl_test

@@ -6,4 +6,4 @@ target_compile_definitions(trace_cli_gl_test PRIVATE
 target_link_libraries(trace_cli_gl_test PRIVATE
   rushlight_core nlohmann_json::nlohmann_json GTest::gtest_main rushlight_options)
 add_dependencies(trace_cli_gl_test rushlight)
-gtest_discover_tests(trace_cli_gl_test PROPERTIES TIMEOUT 300)
+gtest_discover_tests(trace_cli_gl_test PROPERTIES TIMEOUT 3600)

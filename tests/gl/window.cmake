@@ -5,7 +5,7 @@ if(XVFB_RUN)
     add_test(NAME window_gl.${what}
       COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/window_test.sh ${what} $<TARGET_FILE:sandbox>
         ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/window_${what})
-    set_tests_properties(window_gl.${what} PROPERTIES TIMEOUT 300)
+    set_tests_properties(window_gl.${what} PROPERTIES TIMEOUT 3600)
   endforeach()
 endif()
 add_test(NAME window.no_display

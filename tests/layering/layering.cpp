@@ -132,7 +132,8 @@ private:
         if (extension == ".h" || extension == ".cpp") sources_[name] = readText(path);
         if (extension == ".cmake" || path.filename() == "CMakeLists.txt")
             lists_[name] = readText(path);
-        if (name.starts_with("shaders/") && extension != ".cmake" && extension != ".txt")
+        if (name.starts_with("shaders/") && extension != ".cmake" && extension != ".txt" &&
+            extension != ".md")
             shaders_.insert(name.substr(8));
     }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace rushlight {
 namespace {
@@ -91,39 +92,40 @@ protected:
     EnvironmentHandle environment;
 };
 
-TEST_F(AllFeaturesGl, GoTogether) {
+/// A filter of shadows, and whether there is a sky: apart, as each compiles for seconds.
+class AllFeaturesTogetherGl : public AllFeaturesGl,
+                              public testing::WithParamInterface<std::tuple<ShadowFilter, bool>> {};
+
+TEST_P(AllFeaturesTogetherGl, DrawFiniteLight) {
+    const auto [filter, sky] = GetParam();
     const PunctualLight lamps[] = {lamp, torch};
     std::vector<DirectionalLight> suns(kMaxDirectionalLights, sun);
     for (size_t i = 0; i < suns.size(); ++i) suns[i].direction.x += float(i);
-    for (const ShadowFilter filter : {ShadowFilter::hard, ShadowFilter::pcf, ShadowFilter::soft})
-        for (const bool sky : {false, true}) {
-            SCOPED_TRACE(testing::Message() << "filter " << int(filter) << ", sky " << sky);
-            input.settings.shadowFilter = filter;
-            input.lighting.directional = suns;
-            input.lighting.punctual = lamps;
-            input.lighting.area = {&area, 1};
-            input.lighting.environment = sky ? environment : EnvironmentHandle{};
-            input.lighting.background = sky ? Background::environment : Background::color;
-            input.lighting.ambientSky = input.lighting.ambientGround = vec3(sky ? 0 : 0.3f);
-            input.lighting.fog = {};
-            input.decals = {};
-            input.settings.ambientOcclusion = AmbientOcclusion::off;
-            input.settings.reflections = false;
-            input.settings.contactShadows = ContactShadows::off;
-            expectFinite("lights and shadows");
-            input.settings.contactShadows = ContactShadows::lights;
-            expectFinite("contact shadows");
-            input.settings.contactShadows = ContactShadows::sun;  // half as long to compile
-            input.settings.ambientOcclusion = AmbientOcclusion::high;
-            expectFinite("ambient occlusion");
-            input.settings.reflections = true;
-            expectFinite("reflections");
-            input.lighting.fog.density = 0.05f;
-            expectFinite("fog");
-            input.decals = {&decal, 1};
-            expectFinite("decals");
-        }
+    input.settings.shadowFilter = filter;
+    input.lighting.directional = suns;
+    input.lighting.punctual = lamps;
+    input.lighting.area = {&area, 1};
+    input.lighting.environment = sky ? environment : EnvironmentHandle{};
+    input.lighting.background = sky ? Background::environment : Background::color;
+    input.lighting.ambientSky = input.lighting.ambientGround = vec3(sky ? 0 : 0.3f);
+    expectFinite("lights and shadows");
+    input.settings.contactShadows = ContactShadows::lights;
+    expectFinite("contact shadows");
+    input.settings.contactShadows = ContactShadows::sun;  // half as long to compile
+    input.settings.ambientOcclusion = AmbientOcclusion::high;
+    expectFinite("ambient occlusion");
+    input.settings.reflections = true;
+    expectFinite("reflections");
+    input.lighting.fog.density = 0.05f;
+    expectFinite("fog");
+    input.decals = {&decal, 1};
+    expectFinite("decals");
 }
+
+INSTANTIATE_TEST_SUITE_P(FiltersAndSkies, AllFeaturesTogetherGl,
+                         testing::Combine(testing::Values(ShadowFilter::hard, ShadowFilter::pcf,
+                                                          ShadowFilter::soft),
+                                          testing::Bool()));
 
 TEST_F(AllFeaturesGl, GoTogetherInTheLightOfProbes) {
     IrradianceVolume volume = makeIrradianceVolume({vec3(-4, -2, -4), vec3(4), glm::uvec3(3)});
