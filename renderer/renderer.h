@@ -2,7 +2,7 @@
 // The one header an embedder includes. A guest in the host's context: no window, no thread, no
 // global of its own; no GL state is assumed at entry; at exit the framebuffer, program, vertex
 // array, buffer, texture-unit and sampler bindings are zero and the fixed state is GL's default
-// (see the README, "Embedding"). A Renderer is used by one thread at a time: the one on which the
+// (see renderer/README.md). A Renderer is used by one thread at a time: the one on which the
 // host's context is current. With RendererDesc::renderThread that thread may execute frames, in
 // serve(), while another one builds the next.
 
