@@ -1,6 +1,7 @@
 // What becomes of a file's nodes in a frame; on the null backend.
 
 #include "renderer/scene_bridge/scene_bridge.h"
+#include "renderer/scene_bridge/scene_lights.h"
 #include "tests/unit/assets/small_gltf.h"
 
 namespace rushlight::test {
@@ -76,6 +77,21 @@ TEST(SceneBridge, WhatMovesIsToldFromWhatStands) {
               vec3(0));
     ASSERT_TRUE(scene.bridge->pose(0, 0.5f));
     EXPECT_FALSE(moving(0)) << "it has come to rest";
+}
+
+// A file says how wide its camera sees; the picture decides, and the vertical field is kept.
+TEST(SceneBridge, NoPictureIsStretchedToACamerasAspectRatio) {
+    assets::Camera camera;
+    camera.verticalFov = 0.6f;
+    camera.aspect = 2;
+    const View view = viewOf(camera, mat4(1));
+    EXPECT_EQ(view.verticalFov, 0.6f);
+    EXPECT_EQ(view.aspect, 0);
+    camera.perspective = false;
+    camera.orthoHalfWidth = 8;
+    camera.orthoHalfHeight = 2;
+    EXPECT_EQ(viewOf(camera, mat4(1)).orthoHalfHeight, 2);
+    EXPECT_EQ(viewOf(camera, mat4(1)).aspect, 0);
 }
 
 }  // namespace
