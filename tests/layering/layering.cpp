@@ -168,6 +168,10 @@ private:
         if (seesScene && seesFrame && !name.starts_with("renderer/scene_bridge/") &&
             !name.starts_with("tests/"))
             report(name, "sees both engine/scene and renderer/frame; only the bridge may.");
+        // The state cache turns it off; nothing may turn it on (see validate_commands.cpp).
+        if (!name.starts_with("tests/") && name != "renderer/backend/gl/gl_state.cpp" &&
+            codeOf(text).find("GL_FRAMEBUFFER_SRGB") != std::string::npos)
+            report(name, "names GL_FRAMEBUFFER_SRGB; pictures are encoded by shaders.");
         if (gl) return;
         if (const std::string used = glIdentifierIn(codeOf(text)); !used.empty())
             report(name, "names " + used + " of OpenGL.");

@@ -52,6 +52,10 @@ TEST_F(PlantedTree, GlConstantInTheSandbox) {
     tree.write("sandbox/viewer/v.h", "#include <GLFW/glfw3.h>\nint x = GL_ONE;\n");
     expectOne("sandbox/viewer/v.h", "GL_ONE");
 }
+TEST_F(PlantedTree, PicturesEncodedByTheDriver) {
+    tree.write("renderer/backend/gl/g.cpp", "int x = GL_FRAMEBUFFER_SRGB;\n");
+    expectOne("renderer/backend/gl/g.cpp", "GL_FRAMEBUFFER_SRGB");
+}
 TEST_F(PlantedTree, GlHeaderInAPass) {
     tree.write("renderer/passes/p.h", "#  include <GL/glcorearb.h>\n");
     expectOne("renderer/passes/p.h", "GL/glcorearb.h");

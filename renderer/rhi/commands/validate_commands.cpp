@@ -129,6 +129,9 @@ void CommandChecker::checkColor(const ColorAttachment& color, uint32_t slot) {
     const auto desc = resources_.describe(color.texture);
     if (!desc) return refuse("is a texture that does not exist");
     if (isDepth(desc->format)) refuse(std::string("has the depth format ") + toText(desc->format));
+    // Mesa encodes them with instructions that differ between makers of CPUs: shaders encode.
+    if (desc->format == Format::rgba8Srgb && rules_ == ValidationRules::all)
+        refuse("has an sRGB format, which is encoded differently from machine to machine");
     if (color.mipLevel >= desc->mipLevels || color.layer >= desc->layers)
         refuse("has no layer " + std::to_string(color.layer) + " of mip level " +
                std::to_string(color.mipLevel));

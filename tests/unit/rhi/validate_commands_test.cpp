@@ -277,6 +277,15 @@ TEST_F(Validator, TooManyTargets) {
               std::string::npos);
 }
 
+TEST_F(Validator, NoTargetIsEncodedByTheDriver) {
+    expectedFaults = 2;  // and that the pass does not declare it
+    const TextureHandle encoded = texture(Format::rgba8Srgb);
+    EXPECT_NE(with<BeginPass>([&](BeginPass& c) {
+                  if (c.colorCount) c.colors[0].texture = encoded;
+              }).find("has an sRGB format"),
+              std::string::npos);
+}
+
 TEST_F(Validator, IntegerTargetsAreClearedToIntegers) {
     const TextureHandle integers = texture(Format::r32ui);
     const auto clear = [&](float value) {
