@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <tuple>
 
 namespace rushlight {
@@ -122,10 +123,17 @@ TEST_P(AllFeaturesTogetherGl, DrawFiniteLight) {
     expectFinite("decals");
 }
 
+std::string nameOf(const testing::TestParamInfo<std::tuple<ShadowFilter, bool>>& which) {
+    constexpr const char* kFilters[] = {"Hard", "Pcf", "Soft"};
+    return kFilters[size_t(std::get<0>(which.param))] +
+           std::string(std::get<1>(which.param) ? "Sky" : "");
+}
+
 INSTANTIATE_TEST_SUITE_P(FiltersAndSkies, AllFeaturesTogetherGl,
                          testing::Combine(testing::Values(ShadowFilter::hard, ShadowFilter::pcf,
                                                           ShadowFilter::soft),
-                                          testing::Bool()));
+                                          testing::Bool()),
+                         nameOf);
 
 TEST_F(AllFeaturesGl, GoTogetherInTheLightOfProbes) {
     IrradianceVolume volume = makeIrradianceVolume({vec3(-4, -2, -4), vec3(4), glm::uvec3(3)});
